@@ -10,14 +10,17 @@ const DEBIAN_SOURCE: &str = "/usr/lib/rustlib/src/rust/library";
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 const SITE: &str = "apps/carom-web/site";
 
-/// Builds the module and the site in both of its forms; the note says where they are and how large the engine is.
+/// Builds both modules and the site in both of its forms; the note says where they are and how large the engine is.
 pub(crate) fn build(root: &Path) -> Result<String, String> {
     let site = root.join(SITE);
-    let module = module(root)?;
     let place = site.join("engine");
     std::fs::create_dir_all(&place).map_err(|problem| format!("{}: {problem}", place.display()))?;
-    std::fs::copy(&module, place.join("carom.wasm"))
-        .map_err(|problem| format!("{}: {problem}", module.display()))?;
+    // The bench alone is loaded first, the whole engine where it is asked for.
+    for (name, features) in [("carom.wasm", &["--no-default-features"][..]), ("carom-whole.wasm", &[])] {
+        let module = module(root, features)?;
+        std::fs::copy(&module, place.join(name))
+            .map_err(|problem| format!("{}: {problem}", module.display()))?;
+    }
     for words in [
         &["npm", "ci", "--silent"][..],
         &["npm", "run", "--silent", "check"],
@@ -48,11 +51,12 @@ fn node(site: &Path, words: &[&str]) -> Result<String, String> {
     said_by(command)
 }
 
-/// The module, built by the toolchain's own standard library for the target where it is installed, else from Debian's source of one.
-fn module(root: &Path) -> Result<PathBuf, String> {
+/// The module with these features, built by the toolchain's own standard library for the target where it is installed, else from Debian's source of one.
+fn module(root: &Path, features: &[&str]) -> Result<PathBuf, String> {
     let target = root.join("target/web");
     let mut command = Command::new(cargo_program());
     command.args(["build", "--profile", "web", "--package", "carom-web", "--target", TARGET]);
+    command.args(features);
     command.env("CARGO_TARGET_DIR", &target).current_dir(root);
     if !has_target() {
         if !Path::new(DEBIAN_SOURCE).is_dir() || !Path::new(DEBIAN_RUSTC).is_file() {

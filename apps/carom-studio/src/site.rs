@@ -10,5 +10,11 @@ macro_rules! file {
 
 /// The files of the studio.
 pub fn site() -> Site {
-    Site::new([file!("index.html"), file!("studio.js"), file!("studio.css"), file!("carom.wasm")])
+    Site::new([
+        file!("index.html"),
+        file!("studio.js"),
+        file!("studio.css"),
+        file!("carom.wasm"),
+        file!("carom-whole.wasm"),
+    ])
 }

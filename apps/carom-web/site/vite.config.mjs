@@ -3,12 +3,20 @@ import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { defineConfig } from "vite";
 
-const ENGINE = new URL("./engine/carom.wasm", import.meta.url);
+/** The bench, which the page loads first, and the whole engine. */
+const ENGINES = ["carom.wasm", "carom-whole.wasm"];
+const engine = (name) => readFileSync(new URL(`./engine/${name}`, import.meta.url));
 
-// The player is the reports' own: a plain script there, a module here.
+// The players are the reports' own: plain scripts there, modules here.
+const EXPORTED = { "player.js": "player", "solid_view.js": "solidView", "solid.js": "solidPlayer" };
 const player = {
-  name: "player-of-reports",
-  transform: (code, id) => (id.endsWith("/player.js") ? `${code}\nexport { player };\n` : null),
+  name: "players-of-reports",
+  transform(code, id) {
+    const name = EXPORTED[id.slice(id.lastIndexOf("/") + 1)];
+    if (name === undefined || !id.includes("carom-figure")) return null;
+    const needs = name === "solidPlayer" ? 'import { solidView } from "./solid_view.js";\n' : "";
+    return `${needs}${code}\nexport { ${name} };\n`;
+  },
 };
 
 // Scripts, styles and the engine within the page itself.
@@ -29,11 +37,11 @@ const inOneFile = {
       }
       delete bundle[name];
     }
-    const engine = gzipSync(readFileSync(ENGINE), { level: 9 }).toString("base64");
-    page.source = html.replace(
-      "</head>",
-      () => `<script type="application/octet-stream" id="engine">${engine}</script></head>`,
-    );
+    const within = ENGINES.map((name) => {
+      const packed = gzipSync(engine(name), { level: 9 }).toString("base64");
+      return `<script type="application/octet-stream" id="${name}">${packed}</script>`;
+    });
+    page.source = html.replace("</head>", () => `${within.join("")}</head>`);
     page.fileName = "carom-studio.html";
   },
 };
@@ -41,7 +49,7 @@ const inOneFile = {
 const inAFolder = {
   name: "engine-beside",
   generateBundle() {
-    this.emitFile({ type: "asset", fileName: "carom.wasm", source: readFileSync(ENGINE) });
+    for (const fileName of ENGINES) this.emitFile({ type: "asset", fileName, source: engine(fileName) });
   },
 };
 

@@ -1,34 +1,29 @@
-//! The answer to a request.
+//! The answer to a request: what the bench asks of a scene, here; all else by the whole engine.
 
 use crate::bench::Bench;
-use crate::reply::{Failure, Headline, Reply};
+use crate::edit;
+use crate::reply::{Failure, Reply};
 use crate::request::{Ask, Change, Frame, Request, Study};
 use crate::watch::Watch;
-use crate::{design, edit, fields, lab, regions, rolling, study};
-use carom::study::regions::Options;
 use carom::tasks;
-use carom::tasks::design::DesignPlan;
 use carom_scene::input::InMemory;
 use carom_scene::{Form, Scene};
 use std::collections::BTreeMap;
 
 impl Request {
     pub(crate) fn answer(&self, watch: &dyn Watch) -> Result<Reply, Failure> {
+        if Form::of(&self.name, &self.text) != Form::Scene {
+            return self.besides(watch);
+        }
         match &self.ask {
             Ask::Show { change, frame } => self.shown(change.as_ref(), *frame),
             Ask::Study(study) => self.studied(study, watch),
         }
     }
 
-    /// Everything about a scene or an impact after a change.
+    /// Everything about a scene after a change.
     fn shown(&self, change: Option<&Change>, frame: Frame) -> Result<Reply, Failure> {
-        match Form::of(&self.name, &self.text) {
-            Form::Scene => {}
-            Form::Impact => return lab::shown(&self.name, &self.text, change, frame),
-            Form::Roll(kind) => return rolling::shown(kind, &self.name, &self.text, change, frame),
-            Form::SpatialRoll(_) => return Err(in_space()),
-        }
-        let mut scene = self.scene_of(&self.text)?;
+        let mut scene = self.scene()?;
         if let Some(change) = change {
             scene = self.scene_of(&edit::changed(&scene, change, &|text| self.scene_of(text))?)?;
         }
@@ -36,12 +31,7 @@ impl Request {
     }
 
     fn studied(&self, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
-        match Form::of(&self.name, &self.text) {
-            Form::Scene => {}
-            Form::SpatialRoll(_) => return Err(in_space()),
-            form => return self.studied_besides(form, study, watch),
-        }
-        let scene = self.scene_of(&self.text)?;
+        let scene = self.scene()?;
         match study {
             Study::Strike { number } => {
                 let html = carom_figure::live_strike(scene.feeder(), &scene.feeder().run()?, *number);
@@ -51,17 +41,8 @@ impl Request {
                 let limit = scene.limits_of(path).map(|(limit, _)| limit);
                 Ok(Reply { limit: limit.map(Box::new), ..Reply::default() })
             }
-            Study::Yield { samples, seed } => study::yielded(&scene, *samples, *seed, watch),
-            Study::Map { axes, cells, depth, accuracy } => {
-                let options = Options { accuracy: *accuracy, depth: *depth };
-                let html = study::map(&scene, axes, *cells, options, watch)?;
-                Ok(Reply { html: Some(html), ..Reply::default() })
-            }
             Study::At { values } => {
                 Ok(Reply { headline: Some(edit::ending_at(&scene, values)?), ..Reply::default() })
-            }
-            Study::Design { scan, samples, seed } => {
-                design::found(&scene, DesignPlan { scan: *scan, samples: *samples, seed: *seed }, watch)
             }
             Study::Files => {
                 let (run, fed) = (scene.feeder().run()?, tasks::feed(&scene)?);
@@ -75,40 +56,33 @@ impl Request {
                 }
                 Ok(Reply::default())
             }
+            Study::Yield { .. } | Study::Map { .. } | Study::Design { .. } => self.besides(watch),
         }
     }
 
-    /// What may be asked of an impact or a roll.
-    fn studied_besides(&self, form: Form, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
-        let (name, text) = (self.name.as_str(), self.text.as_str());
-        match (study, form) {
-            (Study::Files, Form::Impact) => lab::files(name, text),
-            (Study::Files, Form::Roll(kind)) => rolling::files(kind, name, text),
-            (Study::Map { axes, cells, depth, accuracy }, _) => {
-                let options = Options { accuracy: *accuracy, depth: *depth };
-                let html = regions::drawn(form, (name, text), axes, (*cells, options), watch)?;
-                Ok(Reply { html: Some(html), ..Reply::default() })
-            }
-            (Study::At { values }, _) => {
-                let dimensions = fields::dimensions(form, text, values.keys())?;
-                let given =
-                    values.iter().zip(&dimensions).map(|((path, value), of)| (path.as_str(), *value, *of));
-                let word = regions::ending(form, name, text, &given.collect::<Vec<_>>());
-                Ok(Reply { headline: Some(Headline { word, plate: None, wanted: None }), ..Reply::default() })
-            }
-            _ => Err(Failure::of_page("this is asked of scenes alone")),
-        }
+    /// What the bench alone does not know.
+    #[cfg(not(feature = "whole"))]
+    #[expect(clippy::unnecessary_wraps, reason = "the whole engine's answer may fail")]
+    fn besides(&self, _: &dyn Watch) -> Result<Reply, Failure> {
+        Ok(Reply { elsewhere: true, ..Reply::default() })
+    }
+
+    pub(crate) fn scene(&self) -> Result<Scene, Failure> {
+        self.scene_of(&self.text)
     }
 
     fn scene_of(&self, text: &str) -> Result<Scene, Failure> {
-        let files: InMemory =
-            self.files.iter().map(|(name, text)| (name.into(), text.clone().into_bytes())).collect();
-        Ok(Scene::parse_with(&self.name, text, &files)?)
+        Ok(Scene::parse_with(&self.name, text, &self.files())?)
     }
-}
 
-fn in_space() -> Failure {
-    Failure::of_page("a body in space is not shown here yet: `carom roll` follows it")
+    /// The files beside it. One that may be no text has a letter for each byte.
+    pub(crate) fn files(&self) -> InMemory {
+        let bytes = |name: &str, text: &str| match name.to_ascii_lowercase().ends_with(".stl") {
+            true => text.chars().map(|letter| u8::try_from(u32::from(letter)).unwrap_or(b'?')).collect(),
+            false => text.as_bytes().to_vec(),
+        };
+        self.files.iter().map(|(name, text)| (name.into(), bytes(name, text))).collect()
+    }
 }
 
 pub(crate) fn named<N: Into<String>>(

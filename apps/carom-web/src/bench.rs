@@ -1,6 +1,6 @@
 //! A scene on the bench: its run, its picture and its words.
 
-use crate::design;
+use crate::asked;
 use crate::reply::{Failure, Grip, Headline, QuantityShown, Reply, Seen};
 use crate::request::{Frame, Held, Window};
 use carom::tasks;
@@ -62,7 +62,7 @@ impl<'s> Bench<'s> {
             headline,
             sections: run.map(|run| live_sections(feeder, run, &extra).into()),
             quantities: Some(self.scene.quantities().iter().map(|own| shown(self.scene, own)).collect()),
-            design: Some(design::asked(self.scene)),
+            design: Some(asked::design(self.scene)),
             controls: Some(live_controls()),
             failure: self.run.as_ref().err().cloned(),
             ..Reply::default()

@@ -1,16 +1,15 @@
 //! A layout that is looked for.
 
 use crate::answer::named;
-use crate::reply::{Candidate, DesignAsked, DesignFound, DesignLimit, Failure, FreeRange, Reply};
+use crate::reply::{Candidate, DesignFound, Failure, Reply};
 use crate::watch::Watch;
-use carom::study::design::{Aim, Design, Looked};
+use carom::study::design::{Design, Looked};
 use carom::tasks::design::{DesignError, DesignPlan, DesignStudy, design_space};
 use carom_figure::{Draft, live_small, live_view};
-use carom_scene::quantity::Quantity;
-use carom_scene::{DesignSpace, Scene, Want, labelled};
+use carom_scene::{DesignSpace, Scene, labelled};
 use carom_words::number::fixed;
+use carom_words::run as run_words;
 use carom_words::study::percent_with_interval;
-use carom_words::{Words, part, run as run_words};
 use serde::Serialize;
 
 /// Of a small picture [px].
@@ -31,42 +30,6 @@ struct News {
     look: u32,
     looks: u32,
     best: Option<Candidate>,
-}
-
-/// What a scene's `[design]` says, for a form.
-pub(crate) fn asked(scene: &Scene) -> DesignAsked {
-    let none = carom_scene::Design::default();
-    let design = scene.design().unwrap_or(&none);
-    let limit = |key, label, of: &Option<Quantity>, unit| DesignLimit {
-        key,
-        label,
-        text: of.as_ref().map_or(String::new(), |of| format!("{} {unit}", of.value)),
-        unit,
-    };
-    let want = |want: &Option<Want>| match want {
-        None => String::new(),
-        Some(Want::Face(face)) => face.to_string(),
-        Some(want) => want.word().to_owned(),
-    };
-    let plates = scene.wants().iter().enumerate();
-    DesignAsked {
-        wants: plates.map(|(plate, of)| [part::obstacle(scene.feeder(), plate), want(of)]).collect(),
-        free: design
-            .free
-            .iter()
-            .map(|free| FreeRange { path: free.path.clone(), from: free.low, to: free.high })
-            .collect(),
-        limits: vec![
-            limit("max_impact_speed", "strikes at most", &design.max_impact_speed, "m/s"),
-            limit("max_sliding_speed", "slides at most", &design.max_sliding_speed, "m/s"),
-            limit("max_height", "height at most", &design.max_height, "m"),
-            limit("max_width", "width at most", &design.max_width, "m"),
-            limit("max_time", "takes at most", &design.max_time, "s"),
-        ],
-        forbid_walls: design.forbid_walls,
-        aim: design.aim.word(),
-        aims: Aim::ALL.iter().map(|aim| aim.word()).collect(),
-    }
 }
 
 /// Which layout makes drops end as wanted.

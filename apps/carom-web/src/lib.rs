@@ -4,27 +4,41 @@
 //! there is, and it needs no browser to be tested. The module has no clock, no disk and no network: it imports two functions, by which
 //! the page hears how far long work is.
 //!
+//! There are two modules: the bench alone, which a page loads first, and the whole engine (feature `whole`), which it loads where the bench
+//! answers that somebody else knows.
+//!
 //! Every request brings its scene as text, so a worker that dies takes nothing with it. The page draws what it gets: which values a
 //! dragged plate needs, what a run does and how it looks is decided here.
 
 #[cfg(target_arch = "wasm32")]
 mod abi;
 mod answer;
+mod asked;
 mod bench;
+#[cfg(feature = "whole")]
 mod design;
 mod edit;
+#[cfg(feature = "whole")]
 mod fields;
+#[cfg(feature = "whole")]
 mod lab;
+#[cfg(feature = "whole")]
 mod regions;
 mod reply;
 mod request;
+#[cfg(feature = "whole")]
 mod rolling;
+#[cfg(feature = "whole")]
+mod solid;
+#[cfg(feature = "whole")]
 mod study;
 mod watch;
+#[cfg(feature = "whole")]
+mod whole;
 
 pub use reply::{
     BesideShown, Candidate, DesignAsked, DesignFound, DesignLimit, Failure, ForcesShown, FreeRange, Grip,
-    Headline, LabGrip, LabShown, NamedText, QuantityShown, Reply, Sections, Seen,
+    Headline, LabGrip, LabShown, NamedText, QuantityShown, Reply, Sections, Seen, SolidShown,
 };
 pub use request::{Ask, Change, Frame, Held, Pulled, PulledKey, Request, Side, Study, Table, Window};
 pub use watch::Watch;

@@ -7,8 +7,11 @@ use crate::watch::Watch;
 use carom::study::regions::{Options, Range, find};
 use carom::tasks::impact::{ImpactStudy, words};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions};
+use carom_scene::input::InMemory;
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{Form, ImpactProblem, RollProblem, RollReport, editing};
+use carom_scene::{
+    Form, ImpactProblem, RollProblem, RollReport, SpatialRollProblem, SpatialRollReport, editing,
+};
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Mutex;
@@ -18,25 +21,41 @@ const NONE: &str = "no such file";
 /// Letters of a name within its region.
 const SHORT: usize = 4;
 
+/// A file with those beside it.
+pub(crate) struct File<'a> {
+    pub(crate) form: Form,
+    pub(crate) name: &'a str,
+    pub(crate) text: &'a str,
+    pub(crate) beside: &'a InMemory,
+}
+
 /// A value that is given to a file: its path, the value in SI, and its dimension.
 type Given<'a> = (&'a str, f64, Dimension);
 
 /// How it comes out with these values, in a few words.
-pub(crate) fn ending(form: Form, name: &str, text: &str, given: &[Given<'_>]) -> String {
+pub(crate) fn ending(file: &File<'_>, given: &[Given<'_>]) -> String {
+    let File { form, name, text, beside } = file;
+    let set = || -> Vec<String> {
+        let set = given.iter().map(|(path, value, dimension)| format!("{path}={}", si(*value, *dimension)));
+        // The first strike says it.
+        set.chain(["strikes=1".to_owned()]).collect()
+    };
+    let strike = |first: Option<String>| first.unwrap_or_else(|| "no strike".to_owned());
     let found = match form {
         Form::Impact => impact(name, text, given),
-        Form::Roll(kind) => {
-            // The first strike says it.
-            let set =
-                given.iter().map(|(path, value, dimension)| format!("{path}={}", si(*value, *dimension)));
-            let set: Vec<String> = set.chain(["strikes=1".to_owned()]).collect();
-            RollProblem::parse(kind, name, text, &set).ok().and_then(|problem| {
+        Form::Roll(kind) => RollProblem::parse(*kind, name, text, &set()).ok().and_then(|problem| {
+            let run = problem.follow().ok()?;
+            Some(strike(RollReport::new(&problem, &run).strikes.first().map(|one| one.state.clone())))
+        }),
+        Form::SpatialRoll(kind) => {
+            SpatialRollProblem::parse_with(*kind, name, text, &set(), *beside).ok().and_then(|problem| {
                 let run = problem.follow().ok()?;
-                let strikes = RollReport::new(&problem, &run).strikes;
-                Some(strikes.first().map_or_else(|| "no strike".to_owned(), |strike| strike.state.clone()))
+                Some(strike(
+                    SpatialRollReport::new(&problem, &run).strikes.first().map(|one| one.state.clone()),
+                ))
             })
         }
-        Form::Scene | Form::SpatialRoll(_) => None,
+        Form::Scene => None,
     };
     found.unwrap_or_else(|| NONE.to_owned())
 }
@@ -61,12 +80,12 @@ fn label(words: &str) -> u64 {
 
 /// The diagram, as SVG.
 pub(crate) fn drawn(
-    form: Form,
-    (name, text): (&str, &str),
+    file: &File<'_>,
     sides: &[Side; 2],
     (cells, options): (usize, Options),
     watch: &dyn Watch,
 ) -> Result<String, Failure> {
+    let (form, text) = (file.form, file.text);
     let paths = sides.each_ref().map(|side| side.path.as_str());
     let dimensions = dimensions(form, text, paths)?;
     let units: Vec<Option<Unit>> = dimensions.iter().map(|of| of.unit(of.usual())).collect();
@@ -81,7 +100,7 @@ pub(crate) fn drawn(
         watch.step();
         let value = |k: usize, shown: f64| units[k].map_or(shown, |unit| unit.to_si(shown));
         let given = [(paths[0], value(0, x), dimensions[0]), (paths[1], value(1, y), dimensions[1])];
-        let words = ending(form, name, text, &given);
+        let words = ending(file, &given);
         let label = label(&words);
         // A lock is poisoned by a panic alone, which ends the whole page's worker.
         if let Ok(mut names) = names.lock() {

@@ -11,9 +11,12 @@ use std::collections::BTreeMap;
 /// An answer: what was asked for, the rest left out.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Reply {
-    /// What kind of file it is: `scene`, `impact`, `roll`.
+    /// What kind of file it is: `scene`, `impact`, `roll`, or `solid` in space.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<&'static str>,
+    /// True where the whole engine answers this: the module has the bench alone.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub elsewhere: bool,
     /// The file as it is now.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
@@ -23,6 +26,9 @@ pub struct Reply {
     /// What moves and what it moves among.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seen: Option<Seen>,
+    /// The picture of a body in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub solid: Option<SolidShown>,
     /// How it came out, in a few words.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub headline: Option<Headline>,
@@ -79,6 +85,19 @@ pub struct Seen {
     pub motion: Box<RawValue>,
     /// What can be dragged.
     pub grips: Vec<Grip>,
+    /// The picture in words, for who does not see it.
+    pub words: String,
+}
+
+/// A body in space.
+#[derive(Clone, Debug, Serialize)]
+pub struct SolidShown {
+    /// The canvas and what plays it, as HTML.
+    pub player: String,
+    /// Body and motion, as the player reads them.
+    pub motion: Box<RawValue>,
+    /// The tilt against time, as HTML.
+    pub chart: String,
     /// The picture in words, for who does not see it.
     pub words: String,
 }

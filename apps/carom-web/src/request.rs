@@ -15,7 +15,7 @@ pub struct Request {
     pub name: String,
     /// The scene.
     pub text: String,
-    /// The files that it may name, as text.
+    /// The files that it may name, as text; an STL file, which may be none, with one letter for each byte.
     #[serde(default)]
     pub files: BTreeMap<String, String>,
     /// What is asked.

@@ -4,7 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
 import type { Doc } from "./engine/protocol";
-import { impacts, rolls, scenes } from "./scenes";
+import { impacts, rolls, scenes, solids } from "./scenes";
 import { taken } from "./taken";
 import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo, whole } from "./state";
 
@@ -17,10 +17,13 @@ const OF_SCENES: [string, () => Promise<void>][] = [
   ["Samples, CSV", async () => exported("files", "trace.csv")],
 ];
 
+const OF_ROLLS: [string, () => Promise<void>][] = [REPORT, ["Result, JSON", async () => exported("files", "roll.json")]];
+
 const EXPORTS = {
   scene: OF_SCENES,
   impact: [REPORT, ["Result, JSON", async () => exported("files", "impact.json")]],
-  roll: [REPORT, ["Result, JSON", async () => exported("files", "roll.json")]],
+  roll: OF_ROLLS,
+  solid: OF_ROLLS,
 } satisfies Record<string, [string, () => Promise<void>][]>;
 
 async function exported(ask: "files" | "drawings", file: string): Promise<void> {
@@ -63,7 +66,7 @@ export function Bar() {
           id="scene"
           value=""
           onChange={(event) => {
-            const chosen = [...scenes, ...impacts, ...rolls].find(({ name }) => name === event.currentTarget.value);
+            const chosen = [...scenes, ...impacts, ...rolls, ...solids].find(({ name }) => name === event.currentTarget.value);
             if (chosen !== undefined) void open(chosen);
           }}
         >
@@ -73,12 +76,13 @@ export function Bar() {
           <Examples label="Feeders" docs={scenes} />
           <Examples label="Impacts" docs={impacts} />
           <Examples label="Rolling and rocking" docs={rolls} />
+          <Examples label="In space" docs={solids} />
         </select>
       </label>
       <button type="button" onClick={() => input.current?.click()}>
         Open …
       </button>
-      <input ref={input} type="file" accept=".toml,.dxf,.svg" hidden aria-label="A scene's file, or an outline of its part" onChange={() => void read()} />
+      <input ref={input} type="file" accept=".toml,.dxf,.svg,.stl" hidden aria-label="A scene's file, or an outline of its part" onChange={() => void read()} />
       <button type="button" onClick={() => save(doc.value.name, broken.value ?? doc.value.text)}>
         Save
       </button>

@@ -10,6 +10,7 @@ import { Design } from "./design/Design";
 import { Lab } from "./lab/Lab";
 import { LabWords } from "./lab/LabWords";
 import { MapView } from "./map/MapView";
+import { Solid } from "./solid/Solid";
 import { Surely } from "./surely/Surely";
 import { type Tab, TABS, tab } from "./tabs";
 import { Notice, Problems } from "./Problems";
@@ -46,7 +47,8 @@ function viewOf(name: Tab, kind: Kind): ComponentChildren {
   if (name === "map") return <MapView key={kind} />;
   if (name === "design") return <Design />;
   const { lab } = shown.value;
-  return kind === "impact" ? lab !== undefined && <Lab lab={lab} /> : <Picture />;
+  if (kind === "impact") return lab !== undefined && <Lab lab={lab} />;
+  return kind === "solid" ? <Solid /> : <Picture />;
 }
 
 function TabButton({ name, label, kind, chosen }: { name: Tab; label: string; kind: Kind; chosen: boolean }) {

@@ -4,6 +4,7 @@ import "../../../../crates/carom-figure/src/report.css";
 import "../../../../crates/carom-figure/src/impact.css";
 import "../../../../crates/carom-figure/src/yield.css";
 import "../../../../crates/carom-figure/src/regions.css";
+import "../../../../crates/carom-figure/src/solid.css";
 import "./studio.css";
 import { render } from "preact";
 import { Studio } from "./Studio";

@@ -14,3 +14,7 @@ export const PARTS: [string, string][] = [
 
 /** A part that a file draws. */
 export const drawnBy = (file: string): string => `shape = "outline"\nfile = ${JSON.stringify(file)}\nmass = "0.1 kg"`;
+
+/** A body whose surface a file draws: let go askew, a little above its plane. */
+export const thrown = (file: string): string =>
+  `file = ${JSON.stringify(file)}\nunit = "mm"\ndensity = "7800 kg/m^3"\naxis = [1, 0, 0]\nturn = "30 deg"\nheight = "2 mm"`;

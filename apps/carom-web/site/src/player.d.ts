@@ -8,3 +8,8 @@ declare module "*/carom-figure/src/player.js" {
   export function player(page: Element): Player;
   export type { Player };
 }
+
+declare module "*/carom-figure/src/solid.js" {
+  /** Plays a body in space on the elements of a page; from where it is seen is kept in `view`. */
+  export function solidPlayer(page: Element, numbers: unknown, view: object): void;
+}

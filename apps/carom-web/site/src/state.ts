@@ -75,7 +75,7 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
   }
   if (reply.sections !== undefined || reply.lab !== undefined || reply.failure !== undefined) whole.value = reply;
   shown.value = reply;
-  said.value = reply.seen?.words ?? reply.lab?.words ?? "";
+  said.value = reply.seen?.words ?? reply.lab?.words ?? reply.solid?.words ?? "";
   if (!marked) performance.mark("carom-first-verdict");
   marked = true;
   return true;

@@ -13,6 +13,7 @@ export const TABS: Record<Kind, [Tab, string][]> = {
   scene: [["motion", "Motion"], ["surely", "How surely"], MAP, ["design", "Design"]],
   impact: [["motion", "Impact"], MAP],
   roll: [["motion", "Motion"], MAP],
+  solid: [["motion", "Motion"], MAP],
 };
 
 export const tab = signal<Tab>("motion");

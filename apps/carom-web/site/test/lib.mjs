@@ -62,8 +62,8 @@ export const until = (page, words) =>
   page.waitForFunction((words) => document.querySelector("#headline")?.textContent.toLowerCase().includes(words), words);
 
 /** The engine in this process, as the worker has it. */
-export async function engine() {
-  const bytes = await readFile(join(DIST, "site/carom.wasm"));
+export async function engine(name = "carom-whole.wasm") {
+  const bytes = await readFile(join(DIST, "site", name));
   const { instance } = await WebAssembly.instantiate(bytes, { page: { step() {}, told() {} } });
   const { memory, carom_room, carom_answer, carom_place } = instance.exports;
   return (request) => {

@@ -38,6 +38,36 @@ test("a cylinder meets a step, is played, and friction by its slider changes the
   await close();
 });
 
+test("a bolt from an STL file falls in a view that can be turned, and another file is thrown where it is dropped", async () => {
+  const { page, complaints, close } = await roll("roll_body_bolt.toml");
+  await until(page, "at rest");
+  const seen = () => page.evaluate(() => document.querySelector("#solid").toDataURL().length);
+  const before = await seen();
+  const canvas = await page.locator("#solid").boundingBox();
+  await page.mouse.move(canvas.x + 100, canvas.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(canvas.x + 260, canvas.y + 150, { steps: 5 });
+  await page.mouse.up();
+  assert.notEqual(await seen(), before, "it is seen from elsewhere");
+  await page.locator("#play").click();
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector("#clock").textContent) > 0);
+  await page.locator("#quantity-turn").fill("40 deg");
+  await page.locator("#quantity-turn").press("Enter");
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes("40 deg"));
+  // A tetrahedron in binary form.
+  const corners = [[0, 0, 0], [20, 0, 0], [0, 20, 0], [0, 0, 20]];
+  const faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+  const bytes = Buffer.alloc(84 + 50 * faces.length);
+  bytes.writeUInt32LE(faces.length, 80);
+  faces.forEach((face, i) => face.forEach((corner, k) => corners[corner].forEach((x, axis) => bytes.writeFloatLE(x, 84 + 50 * i + 12 + 12 * k + 4 * axis))));
+  await page.locator("input[type=file]").setInputFiles({ name: "tetrahedron.stl", mimeType: "model/stl", buffer: bytes });
+  await page.waitForFunction(() => document.querySelector("aside.words").textContent.includes("tetrahedron.stl: 4 points"));
+  await page.locator("#undo").click();
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes("bolt.stl"));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 for (const [name, x, y] of [["roll_cylinder.toml", "friction", "step_height"], ["impact_step.toml", "contact.0.friction", "contact.1.friction"]]) {
   test(`the regions of ${name} are drawn, told under the cursor, and a click takes the values`, async () => {
     const { page, complaints, close } = await roll(name);

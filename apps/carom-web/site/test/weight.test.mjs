@@ -20,10 +20,10 @@ after(async () => {
 
 test("what a browser loads", async () => {
   const packed = async (name) => gzipSync(await readFile(join(DIST, "site", name)), { level: 9 }).length;
-  const [engine, page, style] = await Promise.all(["carom.wasm", "studio.js", "studio.css"].map(packed));
+  const [bench, whole, page, style] = await Promise.all(["carom.wasm", "carom-whole.wasm", "studio.js", "studio.css"].map(packed));
   const single = (await stat(join(DIST, "single/carom-studio.html"))).size;
   const kilo = (bytes) => `${(bytes / 1e3).toFixed(0)} kB`;
-  measured(`engine ${kilo(engine)}, page ${kilo(page)}, style ${kilo(style)}, each gzipped; the one file ${kilo(single)}`);
+  measured(`the bench ${kilo(bench)}, the whole engine on demand ${kilo(whole)}, page ${kilo(page)}, style ${kilo(style)}, each gzipped; the one file ${kilo(single)}`);
   assert.ok(page < 100e3, `the page's own script is ${page} bytes`);
 });
 

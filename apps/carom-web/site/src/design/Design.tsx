@@ -18,7 +18,7 @@ const EFFORTS = [
 type Effort = (typeof EFFORTS)[number];
 const SEED = 1;
 
-const searcher = new Engine();
+const searcher = new Engine("carom-whole.wasm");
 const found = signal<{ design: DesignFound; of: Doc } | undefined>(undefined);
 const wrong = signal<Failure | undefined>(undefined);
 const progress = signal<Progress | undefined>(undefined);

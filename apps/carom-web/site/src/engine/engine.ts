@@ -3,11 +3,14 @@
 import type { Ask, Doc, Progress, Reply } from "./protocol";
 import EngineWorker from "./worker?worker&inline";
 
-/** The engine's bytes: within the page where it is one file, beside it else. */
-async function load(): Promise<WebAssembly.Module> {
-  const within = document.getElementById("engine")?.textContent;
+/** The bench alone, which is loaded first, and the whole engine, which is loaded where the bench does not know. */
+type Module = "carom.wasm" | "carom-whole.wasm";
+
+/** A module's bytes: within the page where it is one file, beside it else. */
+async function load(name: Module): Promise<WebAssembly.Module> {
+  const within = document.getElementById(name)?.textContent;
   if (within === undefined || within === null) {
-    return WebAssembly.compileStreaming(fetch(new URL("carom.wasm", document.baseURI)));
+    return WebAssembly.compileStreaming(fetch(new URL(name, document.baseURI)));
   }
   const packed = Uint8Array.from(atob(within), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
@@ -17,8 +20,13 @@ async function load(): Promise<WebAssembly.Module> {
 /** A worker that says nothing for so long is ended [ms]. */
 const MOST_WAITED = 20_000;
 
-let loaded: Promise<WebAssembly.Module> | undefined;
-const engineModule = () => (loaded ??= load());
+const loaded = new Map<Module, Promise<WebAssembly.Module>>();
+
+function engineModule(name: Module): Promise<WebAssembly.Module> {
+  const loading = loaded.get(name) ?? load(name);
+  loaded.set(name, loading);
+  return loading;
+}
 
 interface Waiting {
   resolve: (reply: Reply) => void;
@@ -43,6 +51,8 @@ export class Engine {
   private newest: { run: () => Promise<void> } | undefined;
   private draining: Promise<void> | undefined;
 
+  constructor(private module: Module = "carom.wasm") {}
+
   /** Asks long work, and hears how far it is. */
   study(doc: Doc, ask: Ask, hear: (progress: Progress) => void = () => undefined): Promise<Reply> {
     return this.ask(doc, ask, Number.POSITIVE_INFINITY, hear);
@@ -50,6 +60,15 @@ export class Engine {
 
   /** Asks and waits, at most so long [ms]. */
   async ask(doc: Doc, ask: Ask, most = MOST_WAITED, hear: (progress: Progress) => void = () => undefined): Promise<Reply> {
+    const reply = await this.once(doc, ask, most, hear);
+    if (reply.elsewhere !== true || this.module === "carom-whole.wasm") return reply;
+    // The bench does not know: from now on the whole engine answers here.
+    this.stop();
+    this.module = "carom-whole.wasm";
+    return this.once(doc, ask, most, hear);
+  }
+
+  private async once(doc: Doc, ask: Ask, most: number, hear: (progress: Progress) => void): Promise<Reply> {
     const worker = await this.started();
     const id = this.next++;
     return new Promise((resolve, reject) => {
@@ -94,7 +113,7 @@ export class Engine {
   }
 
   private async started(): Promise<Worker> {
-    const engine = await engineModule();
+    const engine = await engineModule(this.module);
     if (this.worker !== undefined) return this.worker;
     const worker = new EngineWorker();
     worker.postMessage(engine);

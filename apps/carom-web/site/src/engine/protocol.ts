@@ -163,7 +163,8 @@ export interface DesignFound {
 }
 
 export interface Reply {
-  kind?: "scene" | "impact" | "roll";
+  elsewhere?: boolean;
+  kind?: "scene" | "impact" | "roll" | "solid";
   text?: string;
   window?: Window;
   seen?: Seen;
@@ -176,6 +177,7 @@ export interface Reply {
   limit?: Limit;
   files?: Record<string, string>;
   lab?: Lab;
+  solid?: { player: string; motion: unknown; chart: string; words: string };
   design?: DesignAsked;
   found?: DesignFound;
   failure?: Failure;

@@ -21,8 +21,8 @@ interface Drawn {
   level: number;
 }
 
-const drawer = new Engine();
-const asker = new Engine();
+const drawer = new Engine("carom-whole.wasm");
+const asker = new Engine("carom-whole.wasm");
 const drawn = signal<Drawn | undefined>(undefined);
 const running = signal(false);
 const wrong = signal("");

@@ -11,7 +11,7 @@ const FIRST = 1024;
 const AMOUNTS = [4096, 16384, 65536, 262144];
 const SEED = 1;
 
-const sampler = new Engine();
+const sampler = new Engine("carom-whole.wasm");
 /** What was found so far, with how many drops, and of which scene. */
 const found = signal<{ reply: Reply; samples: number; text: string } | undefined>(undefined);
 const wrong = signal<Failure | undefined>(undefined);

@@ -1,0 +1,73 @@
+//! What is asked beside the bench: many drops of a scene, impacts, and what rolls.
+
+use crate::regions::File;
+use crate::reply::{Failure, Headline, Reply};
+use crate::request::{Ask, Request, Study};
+use crate::watch::Watch;
+use crate::{design, fields, lab, regions, rolling, solid, study};
+use carom::study::regions::Options;
+use carom::tasks::design::DesignPlan;
+use carom_scene::Form;
+
+impl Request {
+    pub(crate) fn besides(&self, watch: &dyn Watch) -> Result<Reply, Failure> {
+        let (name, text) = (self.name.as_str(), self.text.as_str());
+        let form = Form::of(name, text);
+        match &self.ask {
+            Ask::Show { change, frame } => {
+                let change = change.as_ref();
+                match form {
+                    Form::Impact => lab::shown(name, text, change, *frame),
+                    Form::Roll(kind) => rolling::shown(kind, name, text, change, *frame),
+                    Form::SpatialRoll(kind) => {
+                        solid::shown(kind, (name, text), change, *frame, &self.files())
+                    }
+                    Form::Scene => Err(Failure::of_page("the bench shows a scene")),
+                }
+            }
+            Ask::Study(study) if form == Form::Scene => self.of_scene(study, watch),
+            Ask::Study(study) => self.of_another(form, study, watch),
+        }
+    }
+
+    fn of_scene(&self, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
+        let scene = self.scene()?;
+        match study {
+            Study::Yield { samples, seed } => study::yielded(&scene, *samples, *seed, watch),
+            Study::Map { axes, cells, depth, accuracy } => {
+                let options = Options { accuracy: *accuracy, depth: *depth };
+                let html = study::map(&scene, axes, *cells, options, watch)?;
+                Ok(Reply { html: Some(html), ..Reply::default() })
+            }
+            Study::Design { scan, samples, seed } => {
+                design::found(&scene, DesignPlan { scan: *scan, samples: *samples, seed: *seed }, watch)
+            }
+            _ => Err(Failure::of_page("the bench answers this")),
+        }
+    }
+
+    /// What may be asked of an impact or of what rolls.
+    fn of_another(&self, form: Form, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
+        let (name, text) = (self.name.as_str(), self.text.as_str());
+        let files = self.files();
+        let file = File { form, name, text, beside: &files };
+        match (study, form) {
+            (Study::Files, Form::Impact) => lab::files(name, text),
+            (Study::Files, Form::Roll(kind)) => rolling::files(kind, name, text),
+            (Study::Files, Form::SpatialRoll(kind)) => solid::files(kind, (name, text), &files),
+            (Study::Map { axes, cells, depth, accuracy }, _) => {
+                let options = Options { accuracy: *accuracy, depth: *depth };
+                let html = regions::drawn(&file, axes, (*cells, options), watch)?;
+                Ok(Reply { html: Some(html), ..Reply::default() })
+            }
+            (Study::At { values }, _) => {
+                let dimensions = fields::dimensions(form, text, values.keys())?;
+                let given =
+                    values.iter().zip(&dimensions).map(|((path, value), of)| (path.as_str(), *value, *of));
+                let word = regions::ending(&file, &given.collect::<Vec<_>>());
+                Ok(Reply { headline: Some(Headline { word, plate: None, wanted: None }), ..Reply::default() })
+            }
+            _ => Err(Failure::of_page("this is asked of scenes alone")),
+        }
+    }
+}
