@@ -4,6 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
 import type { Doc } from "./engine/protocol";
+import { begun, LESSONS } from "./lessons/lessons";
 import { impacts, rolls, scenes, solids } from "./scenes";
 import { taken } from "./taken";
 import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo, whole } from "./state";
@@ -77,6 +78,27 @@ export function Bar() {
           <Examples label="Impacts" docs={impacts} />
           <Examples label="Rolling and rocking" docs={rolls} />
           <Examples label="In space" docs={solids} />
+        </select>
+      </label>
+      <label>
+        <span class="unseen">Lessons</span>
+        <select
+          id="lessons"
+          value=""
+          onChange={(event) => {
+            const lesson = LESSONS[Number(event.currentTarget.value)];
+            event.currentTarget.value = "";
+            if (lesson !== undefined) void open(begun(lesson));
+          }}
+        >
+          <option value="" selected>
+            Lessons …
+          </option>
+          {LESSONS.map(({ id, title }, number) => (
+            <option key={id} value={number}>
+              {number + 1}. {title}
+            </option>
+          ))}
         </select>
       </label>
       <button type="button" onClick={() => input.current?.click()}>

@@ -9,6 +9,7 @@ import { Words } from "./bench/Words";
 import { Design } from "./design/Design";
 import { Lab } from "./lab/Lab";
 import { LabWords } from "./lab/LabWords";
+import { LessonPanel, projector } from "./lessons/LessonPanel";
 import { MapView } from "./map/MapView";
 import { Solid } from "./solid/Solid";
 import { Surely } from "./surely/Surely";
@@ -113,13 +114,14 @@ export function Studio() {
     };
   }, []);
   return (
-    <div class="studio">
+    <div class={`studio${projector.value ? " projector" : ""}`}>
       <Bar />
       <Quantities />
       <main>
         <div class="told">
           <Notice />
           <Problems />
+          <LessonPanel />
         </div>
         <Views kind={kind} />
       </main>

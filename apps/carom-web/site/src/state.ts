@@ -4,6 +4,7 @@ import { computed, signal } from "@preact/signals";
 import { Engine, EngineDied } from "./engine/engine";
 import type { Ask, Change, Doc, Failure, Frame, Limit, Pair, Quantity, Reply, Window } from "./engine/protocol";
 import { docOf, linkOf, served } from "./link";
+import { lessonOf } from "./lessons/lessons";
 import { first } from "./scenes";
 
 const MOST_UNDONE = 500;
@@ -62,7 +63,7 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
   if (keep === "remember") [failure.value, broken.value] = [undefined, undefined];
   if (reply.failure !== undefined) failure.value = { ...reply.failure, tried };
   const text = reply.text ?? next.text;
-  const another = text !== doc.value.text || next.name !== doc.value.name;
+  const another = text !== doc.value.text || next.name !== doc.value.name || next.lesson !== doc.value.lesson;
   if (keep === "remember" && another) {
     past.value = [...past.value.slice(-MOST_UNDONE), doc.value];
     future.value = [];
@@ -85,8 +86,17 @@ const ofScene = (frame: Frame, change?: Change): Ask => ({ show: { frame, ...(ch
 const around = (): Frame => ({ size: size.value });
 
 /** Asks about a scene. One that is to be remembered takes the place of text that is no scene, if that may be thrown away. */
-async function asked(next: Doc, ask: Ask, tried: string, keep: "remember" | "replace"): Promise<boolean> {
-  if (keep === "remember" && tried !== "text" && !mayDiscard()) return false;
+function asked(next: Doc, ask: Ask, tried: string, keep: "remember" | "replace"): Promise<boolean> {
+  if (keep === "remember" && tried !== "text" && !mayDiscard()) return Promise.resolve(false);
+  const answered = answer(next, ask, tried, keep);
+  asking = answered;
+  return answered;
+}
+
+/** The last question about a file that is under way. */
+let asking: Promise<boolean> = Promise.resolve(true);
+
+async function answer(next: Doc, ask: Ask, tried: string, keep: "remember" | "replace"): Promise<boolean> {
   try {
     return take(next, await engine.ask(next, ask), tried, keep);
   } catch (error) {
@@ -103,6 +113,16 @@ export async function open(next: Doc, keep: "remember" | "replace" = "remember")
   const opened = await asked(next, ofScene(around()), "", keep);
   if (opened && keep === "remember") notice.value = "";
   return opened;
+}
+
+/** Shows the file that there is in a window as large as its room, when nothing else is asked any more. */
+export async function refit(): Promise<void> {
+  for (let last; last !== asking; ) {
+    last = asking;
+    await last;
+    await engine.idle();
+  }
+  if (windowNow() !== undefined) await open(doc.peek(), "replace");
 }
 
 /** Text that is no scene is not thrown away without a word. */
@@ -275,8 +295,8 @@ async function searchLimits(all: Quantity[]): Promise<void> {
 export async function begin(): Promise<void> {
   let start = first;
   try {
-    const given = (await served(location.hash)) ?? (await docOf(location.hash));
-    if (given === undefined && location.hash.length > 1) throw new Error("neither a scene nor a token");
+    const given = (await served(location.hash)) ?? lessonOf(location.hash) ?? (await docOf(location.hash));
+    if (given === undefined && location.hash.length > 1) throw new Error("neither a file, a lesson nor a token");
     start = given ?? first;
   } catch {
     notice.value = "The link is damaged: it holds no scene that can be read. Here is an example instead.";

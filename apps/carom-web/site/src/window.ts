@@ -3,7 +3,7 @@
 import type { RefObject } from "preact";
 import { useEffect } from "preact/hooks";
 import type { Pair, Window } from "./engine/protocol";
-import { doc, look, open, size, windowNow } from "./state";
+import { look, refit, size, windowNow } from "./state";
 
 export const ZOOM = 1.2;
 /** Pixels of a metre, at least and at most. */
@@ -42,7 +42,7 @@ export function useFitting(picture: RefObject<SVGSVGElement | null>): void {
       const next: Pair = [Math.max(320, Math.round(box.clientWidth)), Math.max(200, Math.round(box.clientHeight))];
       if (next[0] === size.peek()[0] && next[1] === size.peek()[1]) return;
       size.value = next;
-      if (windowNow() !== undefined) void open(doc.peek(), "replace");
+      void refit();
     });
     watch.observe(box);
     return () => watch.disconnect();

@@ -79,7 +79,7 @@ export class Engine {
         reject: (error) => (done(), reject(error)),
         hear,
       });
-      worker.postMessage({ id, request: JSON.stringify({ ...doc, ask }) });
+      worker.postMessage({ id, request: JSON.stringify({ name: doc.name, text: doc.text, files: doc.files, ask }) });
     });
   }
 

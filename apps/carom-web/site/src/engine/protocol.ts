@@ -183,8 +183,9 @@ export interface Reply {
   failure?: Failure;
 }
 
-/** A scene and the files beside it. */
+/** A file of Carom and the files beside it; the lesson that it belongs to, where it is one's. */
 export interface Doc {
+  lesson?: string;
   name: string;
   text: string;
   files: Record<string, string>;

@@ -76,11 +76,11 @@ export function LabWords({ lab }: { lab: Lab }) {
         <strong>{shown.value.headline?.word.replace(/^./, (letter) => letter.toUpperCase())}</strong>
       </p>
       <p class="lead">{lab.lead}</p>
+      {lab.forces !== null && <Forces forces={lab.forces} />}
       <div dangerouslySetInnerHTML={{ __html: lab.after }} />
       <div dangerouslySetInnerHTML={{ __html: lab.hypotheses }} />
       <Table caption={`Laws of restitution side by side${before === null ? "" : `; ${joules(before, 0)} J before`}`} rows={lab.laws} />
       {lab.sharings.length > 0 && <Table caption="Ways to share the impact side by side: rigid bodies leave it open" rows={lab.sharings} />}
-      {lab.forces !== null && <Forces forces={lab.forces} />}
     </aside>
   );
 }
