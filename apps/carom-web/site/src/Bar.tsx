@@ -4,11 +4,13 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
 import type { Doc } from "./engine/protocol";
+import { film, filmed, stopFilm } from "./record/record";
 import { begun, LESSONS } from "./lessons/lessons";
 import { impacts, rolls, scenes, solids } from "./scenes";
 import { taken } from "./taken";
 import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo, whole } from "./state";
 
+const FILM: [string, () => Promise<void>] = ["Film of the motion, WebM", film];
 const REPORT: [string, () => Promise<void>] = ["Report, HTML", async () => exported("files", "report.html")];
 const OF_SCENES: [string, () => Promise<void>][] = [
   ["Drawing, DXF", async () => exported("drawings", "drawing.dxf")],
@@ -16,9 +18,10 @@ const OF_SCENES: [string, () => Promise<void>][] = [
   REPORT,
   ["Result, JSON", async () => exported("files", "run.json")],
   ["Samples, CSV", async () => exported("files", "trace.csv")],
+  FILM,
 ];
 
-const OF_ROLLS: [string, () => Promise<void>][] = [REPORT, ["Result, JSON", async () => exported("files", "roll.json")]];
+const OF_ROLLS: [string, () => Promise<void>][] = [REPORT, FILM, ["Result, JSON", async () => exported("files", "roll.json")]];
 
 const EXPORTS = {
   scene: OF_SCENES,
@@ -128,6 +131,14 @@ export function Bar() {
           ))}
         </select>
       </label>
+      {filmed.value !== undefined && (
+        <>
+          <progress value={filmed.value} aria-label="The film" />
+          <button type="button" id="film-stop" onClick={stopFilm}>
+            Stop the film
+          </button>
+        </>
+      )}
       <button type="button" id="undo" disabled={!canUndo.value} title="Ctrl+Z" onClick={() => void undo()}>
         Undo
       </button>

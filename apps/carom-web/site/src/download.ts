@@ -1,7 +1,8 @@
 // Files to and from the person who uses the page: by the browser's own dialogs, nothing else.
 
-export function save(name: string, text: string): void {
-  const address = URL.createObjectURL(new Blob([text], { type: "application/octet-stream" }));
+export function save(name: string, what: string | Blob): void {
+  const blob = what instanceof Blob ? what : new Blob([what], { type: "application/octet-stream" });
+  const address = URL.createObjectURL(blob);
   const link = document.createElement("a");
   link.href = address;
   link.download = name;
