@@ -167,3 +167,43 @@ impl Fields<'_> {
 fn joined(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_example_is_known_by_its_text() {
+        let folder = std::fs::read_dir("../../examples").unwrap_or_else(|error| panic!("{error}"));
+        let mut seen = 0;
+        for path in folder.filter_map(|entry| Some(entry.ok()?.path())) {
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let Some(stem) = name.strip_suffix(".toml") else { continue };
+            let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{error}"));
+            let kind = stem.split('_').nth(1).unwrap_or_default();
+            let wanted = match stem.split('_').next() {
+                Some("impact" | "contact") => Form::Impact,
+                Some("roll") => Form::of_roll(kind),
+                _ => Form::Scene,
+            };
+            assert_eq!(Form::of(&name, &text), wanted, "{name}");
+            seen += 1;
+        }
+        assert!(seen >= 36, "{seen} examples");
+    }
+
+    #[test]
+    fn values_are_told_as_they_are_written_and_as_they_count() {
+        let fields = Form::SpatialRoll(SpatialRollKind::Body)
+            .fields("speed = { low = \"0 m/s\", high = \"0.2 m/s\" }\nturn = \"30 deg\"");
+        let of = |key: &str| fields.iter().find(|field| field.key == key).unwrap_or_else(|| panic!("{key}"));
+        assert_eq!(
+            (of("speed").value, of("speed").written),
+            (Some(0.1), true),
+            "the middle of a distribution"
+        );
+        assert_eq!(of("turn").value, Some(30_f64.to_radians()), "in SI");
+        assert_eq!((of("gravity").text.as_str(), of("gravity").written), ("9.81 m/s^2", false), "a default");
+        assert_eq!((of("time").text.as_str(), of("time").value), ("", None), "nothing counts in its place");
+    }
+}

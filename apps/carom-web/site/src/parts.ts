@@ -1,5 +1,7 @@
 // Parts to begin with: the keys of `[part]`, each a kind that the scene file knows.
 
+import type { Pair } from "./engine/protocol";
+
 export const PARTS: [string, string][] = [
   ["rod", 'shape = "rod"\nlength = "100 mm"\nmass = "0.3 kg"'],
   ["box", 'shape = "box"\nlength = "80 mm"\nheight = "12 mm"\nmass = "0.2 kg"'],
@@ -18,3 +20,17 @@ export const drawnBy = (file: string): string => `shape = "outline"\nfile = ${JS
 /** A body whose surface a file draws: let go askew, a little above its plane. */
 export const thrown = (file: string): string =>
   `file = ${JSON.stringify(file)}\nunit = "mm"\ndensity = "7800 kg/m^3"\naxis = [1, 0, 0]\nturn = "30 deg"\nheight = "2 mm"`;
+
+/** A part by its corners [m], in whole millimetres from the first one. */
+export function polygon(corners: Pair[]): string {
+  const [x0, y0] = corners[0] ?? [0, 0];
+  const millimetres = (value: number) => `"${Math.round(1e3 * value)} mm"`;
+  // Counter-clockwise, as outlines are written.
+  const twice = corners.reduce((sum, [x, y], i) => {
+    const [u, v] = corners[(i + 1) % corners.length] ?? [0, 0];
+    return sum + x * v - u * y;
+  }, 0);
+  const ordered = twice < 0 ? [...corners].reverse() : corners;
+  const vertices = ordered.map(([x, y]) => `[${millimetres(x - x0)}, ${millimetres(y - y0)}]`);
+  return `shape = "polygon"\nvertices = [${vertices.join(", ")}]\nmass = "0.1 kg"`;
+}

@@ -149,9 +149,9 @@ async function change(by: Change, tried = ""): Promise<boolean> {
   return window !== undefined && asked(doc.value, ofScene({ window }, by), tried, "remember");
 }
 
-/** Writes a value as it was typed. */
-export const write = (path: string, value: string): Promise<boolean> =>
-  change({ write: { path, value } }, path);
+/** Writes a value as it was typed; `tried` is where a problem of it is told. */
+export const write = (path: string, value: string, tried = path): Promise<boolean> =>
+  change({ write: { path, value } }, tried);
 
 /** Draws one more plate or wall from here to there [m]. */
 export const add = (table: "plate" | "wall", from: Pair, to: Pair, snap: number): Promise<boolean> =>

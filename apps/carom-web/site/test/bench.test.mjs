@@ -292,3 +292,20 @@ test("from the pointer to the path: within a frame", async () => {
   assert.ok(frames > 0 && delays.length > 50, `${delays.length} moves were drawn`);
   await close();
 });
+
+test("a part is drawn by its corners", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  await page.waitForTimeout(300);
+  await page.locator("#draw-part").click();
+  const paper = await page.locator("#player svg.layout").boundingBox();
+  const corners = [[0, 0], [0, 30], [60, 30], [60, 8], [40, 0]].map(([x, y]) => [paper.x + 200 + x, paper.y + 350 + y]);
+  for (const [x, y] of corners) await page.mouse.click(x, y);
+  await page.mouse.click(...corners[0]);
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes('shape = "polygon"'));
+  const text = await page.locator(".source textarea").inputValue();
+  assert.equal(text.match(/vertices = (.*)/)[1].split("], [").length, 5, "five corners");
+  await page.locator("#undo").click();
+  await until(page, "turned");
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -27,7 +27,7 @@ test("a layout is searched with progress, the winner is taken, and undo brings t
   await page.locator("#search").click();
   await page.waitForSelector(".design progress");
   await page.waitForFunction(() => /look [3-9] of 9, \d{4,} drops/.test(document.querySelector(".design [role=status]").textContent));
-  assert.match(await page.locator(".candidate h3").first().textContent(), /best so far/, "the best so far is seen while it goes on");
+  assert.match(await page.locator(".candidate h2").first().textContent(), /best so far/, "the best so far is seen while it goes on");
   await page.waitForSelector(".design .headline", { timeout: 120_000 });
   assert.equal(await page.locator(".design .headline").textContent(), "Possible");
   assert.match(await page.locator(".design .lead").textContent(), /^9\d\.\d\d % /, "most drops end as wanted");

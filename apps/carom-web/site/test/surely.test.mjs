@@ -64,3 +64,28 @@ test("a scene without tolerances is told what to write", async () => {
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test("tolerances are set in one table, and the yield is of these", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  await until(page, "turned");
+  await page.locator("#tab-surely").click();
+  const tolerance = page.getByLabel("tolerance of plate.upper.slope");
+  await tolerance.fill("0.5");
+  await tolerance.press("Enter");
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes('slope = "10 ± 0.5 deg"'));
+  const friction = page.getByLabel("tolerance of contact.friction");
+  await friction.fill("20 %");
+  await friction.press("Enter");
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes('"0.15 ± 20 %"'));
+  // A bad one is told in its row, and the scene stays.
+  await friction.fill("-3");
+  await friction.press("Enter");
+  await page.waitForSelector(".tolerances .wrong");
+  await tolerance.fill("");
+  await tolerance.press("Enter");
+  await page.waitForFunction(() => document.querySelector(".source textarea").value.includes('slope = "10 deg"'));
+  await page.locator("#sample").click();
+  await page.locator(".surely .headline").waitFor();
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -3,6 +3,7 @@
 use super::check::listed;
 use super::roll::{CYLINDER_FILE, PRISM_FILE, ROD_FILE};
 use super::roll_space::{BODY_FILE, PYRAMID_FILE, STOOL_FILE};
+use super::value::{NORMAL, UNIFORM};
 use super::{File, FileKind};
 use crate::node::{Entry, Value};
 use crate::problem::{Problem, ProblemKind};
@@ -66,7 +67,14 @@ fn roll<'e>(file: &File, entries: &'e [Entry]) -> Option<(&'e Entry, Vec<&'stati
 
 /// What may roll by a file of such keys: what knows most of them, and more than half of them.
 pub(crate) fn kinds_of_roll(entries: &[Entry]) -> Vec<&'static str> {
-    if entries.iter().any(|entry| matches!(entry.node.value, Value::Table(_))) {
+    // A roll file has no tables but distributions.
+    let distribution = |inner: &[Entry]| {
+        inner
+            .iter()
+            .all(|entry| UNIFORM.contains(&entry.key.as_str()) || NORMAL.contains(&entry.key.as_str()))
+    };
+    let table = |entry: &Entry| matches!(&entry.node.value, Value::Table(inner) if !distribution(inner));
+    if entries.iter().any(table) {
         return vec![];
     }
     let known = |roll: &File| entries.iter().filter(|entry| knows(roll, &entry.key)).count();

@@ -5,7 +5,8 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
 import type { Doc, Grip, Pair, Window } from "../engine/protocol";
 import { around, metres, shifted, useFitting, ZOOM, zoomed } from "../window";
-import { add, doc, drag, drop, engine, look, mayDiscard, moved, open, remove, restore, shown, size, whole, windowNow } from "../state";
+import { polygon } from "../parts";
+import { add, another, doc, drag, drop, engine, look, mayDiscard, moved, open, remove, restore, shown, size, whole, windowNow } from "../state";
 
 /** Steps that values snap to: lengths [m] and angles [rad]; with shift ten times finer. */
 const SNAP: Pair = [1e-3, Math.PI / 360];
@@ -32,8 +33,9 @@ export function Picture() {
   const pan = useRef<{ at: Pair; window: Window } | undefined>(undefined);
   const controlled = useRef("");
   const grabbed = useSignal(false);
-  /** What the next stroke on the paper draws, and the stroke. */
-  const tool = useSignal<"plate" | "wall" | undefined>(undefined);
+  /** What the next stroke on the paper draws, and the stroke; of a part the corners, one by one. */
+  const tool = useSignal<"plate" | "wall" | "part" | undefined>(undefined);
+  const corners = useSignal<Pair[]>([]);
   const stroke = useSignal<[Pair, Pair] | undefined>(undefined);
   /** The plate or wall whose ring was held last. */
   const chosen = useSignal<{ obstacle: number; name: string } | undefined>(undefined);
@@ -42,7 +44,7 @@ export function Picture() {
     const escape = (event: KeyboardEvent) => {
       if (event.key !== "Escape") return;
       const dragged = held.current !== undefined;
-      [held.current, pan.current, grabbed.value, tool.value, stroke.value] = [undefined, undefined, false, undefined, undefined];
+      [held.current, pan.current, grabbed.value, tool.value, stroke.value, corners.value] = [undefined, undefined, false, undefined, undefined, []];
       if (dragged) void engine.idle().then(restore);
     };
     addEventListener("keydown", escape);
@@ -116,8 +118,22 @@ export function Picture() {
     else tool.value = tool.value === table ? undefined : table;
   };
 
+  /** One more corner of the part; the first one again closes its outline. */
+  const corner = async (at: Pair) => {
+    const first = corners.value[0];
+    const closes = first !== undefined && Math.hypot(at[0] - first[0], at[1] - first[1]) < LEAST;
+    if (!closes) {
+      corners.value = [...corners.value, at];
+      return;
+    }
+    const window = windowNow();
+    const outline = corners.value;
+    [tool.value, corners.value] = [undefined, []];
+    if (window !== undefined && outline.length > 2) await another(polygon(outline.map((place) => metres(window, place))));
+  };
+
   const release = () => {
-    if (stroke.value !== undefined && tool.value !== undefined) {
+    if (stroke.value !== undefined && (tool.value === "plate" || tool.value === "wall")) {
       void drawn(tool.value, stroke.value);
       return;
     }
@@ -157,6 +173,10 @@ export function Picture() {
           onPointerDown={(event) => {
             const window = windowNow();
             if (window === undefined) return;
+            if (tool.value === "part") {
+              void corner(place(event));
+              return;
+            }
             if (tool.value === undefined) pan.current = { at: place(event), window };
             else stroke.value = [place(event), place(event)];
             event.currentTarget.setPointerCapture(event.pointerId);
@@ -174,6 +194,12 @@ export function Picture() {
           <g ref={scene} aria-hidden="true" />
           {stroke.value !== undefined && (
             <line class="stroke" x1={stroke.value[0][0]} y1={stroke.value[0][1]} x2={stroke.value[1][0]} y2={stroke.value[1][1]} />
+          )}
+          {corners.value.length > 0 && (
+            <g class="outline-drawn">
+              <polyline class="stroke" points={corners.value.map((at) => at.join(",")).join(" ")} />
+              <circle class="grip" cx={corners.value[0]?.[0]} cy={corners.value[0]?.[1]} r={LEAST} />
+            </g>
           )}
           <g class="grips">
             {grips.map((grip) => (
@@ -214,6 +240,18 @@ export function Picture() {
               + {table}
             </button>
           ))}
+          {drawable && (
+            <button
+              type="button"
+              id="draw-part"
+              aria-pressed={tool.value === "part"}
+              title="Then click its corners on the paper, and the first one again. By the keyboard: write vertices into the file."
+              onClick={() => ([tool.value, corners.value] = [tool.value === "part" ? undefined : "part", []])}
+            >
+              Draw the part
+            </button>
+          )}
+          {tool.value === "part" && <span class="note">{corners.value.length < 3 ? "click its corners" : "click the first corner again to close it"}</span>}
           {chosen.value !== undefined && (
             <button type="button" id="remove" onClick={() => chosen.value !== undefined && void remove(chosen.value.obstacle).then(() => (chosen.value = undefined))}>
               Remove {chosen.value.name}

@@ -55,7 +55,7 @@ function Card({ candidate, of, name }: { candidate: Candidate; of: Doc; name: st
   const [width, height] = candidate.size;
   return (
     <li class="candidate">
-      <h3>{name}</h3>
+      <h2>{name}</h2>
       <svg
         class="fig scene layout"
         viewBox={`0 0 ${width} ${height}`}

@@ -45,7 +45,7 @@ interface Said {
 export class EngineDied extends Error {}
 
 export class Engine {
-  private worker: Worker | undefined;
+  private readonly workers = new Map<Module, Worker>();
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
   private newest: { run: () => Promise<void> } | undefined;
@@ -60,16 +60,15 @@ export class Engine {
 
   /** Asks and waits, at most so long [ms]. */
   async ask(doc: Doc, ask: Ask, most = MOST_WAITED, hear: (progress: Progress) => void = () => undefined): Promise<Reply> {
-    const reply = await this.once(doc, ask, most, hear);
-    if (reply.elsewhere !== true || this.module === "carom-whole.wasm") return reply;
-    // The bench does not know: from now on the whole engine answers here.
-    this.stop();
+    const reply = await this.once(this.module, doc, ask, most, hear);
+    if (reply.elsewhere !== true) return reply;
+    // The bench does not know: from now on the whole engine answers here. What the bench still works on it finishes.
     this.module = "carom-whole.wasm";
-    return this.once(doc, ask, most, hear);
+    return this.once(this.module, doc, ask, most, hear);
   }
 
-  private async once(doc: Doc, ask: Ask, most: number, hear: (progress: Progress) => void): Promise<Reply> {
-    const worker = await this.started();
+  private async once(module: Module, doc: Doc, ask: Ask, most: number, hear: (progress: Progress) => void): Promise<Reply> {
+    const worker = await this.started(module);
     const id = this.next++;
     return new Promise((resolve, reject) => {
       const late = Number.isFinite(most) ? setTimeout(() => this.stop("it did not answer"), most) : undefined;
@@ -96,8 +95,8 @@ export class Engine {
 
   /** Ends what runs; who waits is told. */
   stop(reason = "stopped"): void {
-    this.worker?.terminate();
-    this.worker = undefined;
+    this.workers.forEach((worker) => worker.terminate());
+    this.workers.clear();
     const waiting = [...this.waiting.values()];
     this.waiting.clear();
     waiting.forEach(({ reject }) => reject(new EngineDied(reason)));
@@ -112,9 +111,10 @@ export class Engine {
     this.draining = undefined;
   }
 
-  private async started(): Promise<Worker> {
-    const engine = await engineModule(this.module);
-    if (this.worker !== undefined) return this.worker;
+  private async started(module: Module): Promise<Worker> {
+    const engine = await engineModule(module);
+    const running = this.workers.get(module);
+    if (running !== undefined) return running;
     const worker = new EngineWorker();
     worker.postMessage(engine);
     worker.addEventListener("message", (event: MessageEvent<Said>) => {
@@ -128,7 +128,7 @@ export class Engine {
       this.stop(died);
     });
     worker.addEventListener("error", (event) => this.stop(event.message));
-    this.worker = worker;
+    this.workers.set(module, worker);
     return worker;
   }
 }

@@ -4,6 +4,7 @@ import { signal, useSignal, useSignalEffect } from "@preact/signals";
 import { Engine, EngineDied } from "../engine/engine";
 import type { Failure, Reply } from "../engine/protocol";
 import { Wrong } from "../Problems";
+import { Tolerances } from "./Tolerances";
 import { doc, open } from "../state";
 import { tab } from "../tabs";
 
@@ -63,6 +64,7 @@ export function Surely() {
   const old = now !== undefined && now.text !== doc.value.text;
   return (
     <section class="surely" aria-label="How surely">
+      <Tolerances />
       <div class="controls">
         <label>
           drops{" "}
@@ -91,7 +93,7 @@ export function Surely() {
       <Wrong failure={wrong.value} />
       {now === undefined && wrong.value === undefined && (
         <p class="note">
-          Each quantity varies within its tolerance: write one like “25 ± 0.5 deg” at the left. The yield is the share of parts that end as
+          Each quantity varies within its tolerance, of which the table above has a column; at the left one is written like “25 ± 0.5 deg”. The yield is the share of parts that end as
           the scene wants, or else as the part does whose quantities are all in the middle.
         </p>
       )}
