@@ -10,10 +10,11 @@ use carom_words::{Words, part};
 pub(crate) fn design(scene: &Scene) -> DesignAsked {
     let none = carom_scene::Design::default();
     let design = scene.design().unwrap_or(&none);
+    let written = |of: &Quantity| of.span.clone().and_then(|span| scene.source().get(span));
     let limit = |key, label, of: &Option<Quantity>, unit| DesignLimit {
         key,
         label,
-        text: of.as_ref().map_or(String::new(), |of| format!("{} {unit}", of.value)),
+        text: of.as_ref().and_then(written).unwrap_or_default().trim_matches('"').to_owned(),
         unit,
     };
     let want = |want: &Option<Want>| match want {

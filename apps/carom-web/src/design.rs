@@ -54,7 +54,11 @@ pub(crate) fn found(scene: &Scene, plan: DesignPlan, watch: &dyn Watch) -> Resul
     }
     candidates.extend(study.found.front.iter().filter_map(|design| candidate_of(scene, &space, design)));
     let verdict = match winner {
-        None => study.impossible().trim_end().to_owned(),
+        None => {
+            // The page says above it that it is not possible.
+            let why = study.impossible();
+            why.split_once("NOT POSSIBLE: ").map_or(why.trim_end(), |(_, why)| why.trim_end()).to_owned()
+        }
         Some(winner) => format!(
             "{} end as wanted, within the limits; {} with every tolerance doubled",
             percent_with_interval(&winner.yields),

@@ -116,8 +116,14 @@ pub(crate) fn drawn(
         let field = fields.iter().find(|field| field.path() == paths[k]);
         field.and_then(|field| field.value).map_or(f64::NAN, |value| shown(units[k], value))
     };
+    let label = |path: &str| {
+        let field = fields.iter().find(|field| field.path() == path);
+        let group = field.map_or("", |field| field.group.as_str());
+        let key = path.rsplit('.').next().unwrap_or(path).replace('_', " ");
+        if group.is_empty() { key } else { format!("{group}: {key}") }
+    };
     let axis = |k: usize| RegionAxis {
-        name: paths[k].replace('_', " "),
+        name: label(paths[k]),
         unit: units[k].map_or("", |unit| unit.symbol).to_owned(),
     };
     let title = match form {

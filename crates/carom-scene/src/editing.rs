@@ -16,7 +16,12 @@ use std::ops::Range;
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 pub fn adding(text: &str, table: &str, lines: &str) -> String {
-    format!("{}\n\n[[{table}]]\n{}\n", text.trim_end(), lines.trim_end())
+    ended_as(text, format!("{}\n\n[[{table}]]\n{}\n", text.trim_end(), lines.trim_end()))
+}
+
+/// A changed text whose lines end as those of the text before.
+fn ended_as(before: &str, text: String) -> String {
+    if before.contains("\r\n") { text.replace("\r\n", "\n").replace('\n', "\r\n") } else { text }
 }
 
 /// The text without its `[[table]]` of this number from 0; `None` where it has no table of its own, as the plates of a zig-zag.
@@ -33,7 +38,8 @@ pub fn adding(text: &str, table: &str, lines: &str) -> String {
 pub fn without(text: &str, table: &str, number: usize) -> Option<String> {
     let place = blocks(text, &format!("[[{table}]]")).into_iter().nth(number)?;
     let [before, after] = [&text[..place.start], &text[place.end..]];
-    Some(format!("{}\n{}{}", before.trim_end(), if after.is_empty() { "" } else { "\n" }, after))
+    let gap = if after.is_empty() { "" } else { "\n" };
+    Some(ended_as(text, format!("{}\n{gap}{after}", before.trim_end())))
 }
 
 /// The text with another value of a key: of a table `body`, of a list of tables `contact.0`, or at the top where the table is empty. The value is
@@ -54,7 +60,7 @@ pub fn setting(text: &str, table: &str, key: &str, value: &str) -> Option<String
     let entries = table_at(&tree, table)?;
     let own = entries.iter().find(|entry| entry.key == key);
     let value = as_toml(value);
-    Some(match own {
+    let changed = match own {
         Some(entry) if value.is_empty() => removed(text, entry),
         Some(entry) => {
             let Range { start, end } = entry.node.span.clone();
@@ -66,14 +72,24 @@ pub fn setting(text: &str, table: &str, key: &str, value: &str) -> Option<String
                 !matches!(&entry.node.value, Value::Table(_))
                     && !matches!(&entry.node.value, Value::List(list) if list.iter().any(|node| matches!(node.value, Value::Table(_))))
             };
-            let last = entries.iter().filter(inner).map(|entry| entry.node.span.end).max();
+            let last = entries.iter().filter(inner).max_by_key(|entry| entry.node.span.end);
             let (at, line) = match last {
-                Some(end) => after(text, end, key, &value),
+                Some(last) => {
+                    after(text, last.node.span.end, &format!("{}{key}", before_key(text, last)), &value)
+                }
                 None => (head_end(text, table)?, format!("{key} = {value}\n")),
             };
             format!("{}{line}{}", &text[..at], &text[at..])
         }
-    })
+    };
+    Some(ended_as(text, changed))
+}
+
+/// What stands before a key that is written with its table, `body.` of `body.mass`; else nothing.
+fn before_key<'t>(text: &'t str, entry: &Entry) -> &'t str {
+    let start = text[..entry.key_span.start].rfind(['\n', ',', '{']).map_or(0, |at| at + 1);
+    let before = text[start..entry.key_span.start].trim_start();
+    if before.trim_end().ends_with('.') { before } else { "" }
 }
 
 /// The entries of a table by its path; numbers count lists.
@@ -94,7 +110,7 @@ fn table_at<'n>(tree: &'n Node, path: &str) -> Option<&'n [Entry]> {
 
 /// The text without an entry: its line, or its place in a table of one line.
 fn removed(text: &str, entry: &Entry) -> String {
-    let (start, end) = (entry.key_span.start, entry.node.span.end);
+    let (start, end) = (entry.key_span.start - before_key(text, entry).len(), entry.node.span.end);
     let line = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
     let rest = text[end..].find('\n').map_or(text.len(), |newline| end + newline + 1);
     let alone = text[line..start].trim().is_empty()
@@ -140,11 +156,16 @@ pub(crate) fn after(text: &str, last: usize, key: &str, value: &str) -> (usize, 
 /// A number, a flag, a table or a list as it stands; all else is a string.
 pub(crate) fn as_toml(typed: &str) -> String {
     let typed = typed.trim();
-    let plain = typed.is_empty()
-        || typed.parse::<f64>().is_ok_and(f64::is_finite)
-        || ["true", "false"].contains(&typed);
-    if plain || typed.starts_with(['{', '[', '"', '\'']) {
-        return typed.to_owned();
+    let is_toml = |text: &str| toml::from_str::<toml::Table>(&format!("value = {text}")).is_ok();
+    let number = typed.parse::<f64>().ok().filter(|number| number.is_finite());
+    match number {
+        Some(_) if is_toml(typed) => return typed.to_owned(),
+        // `.5` and `5.` are numbers to who types them.
+        Some(number) => return format!("{number:?}"),
+        None if typed.is_empty() || ["true", "false"].contains(&typed) => return typed.to_owned(),
+        // What begins a list or a table and does not end it would take in the rest of the file.
+        None if typed.starts_with(['{', '[', '"', '\'']) && is_toml(typed) => return typed.to_owned(),
+        None => {}
     }
     toml::Value::String(typed.to_owned()).to_string()
 }
@@ -162,6 +183,23 @@ pub(crate) fn as_toml(typed: &str) -> String {
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 pub fn replacing(text: &str, table: &str, lines: &str) -> String {
+    ended_as(text, replaced(&without_inner(text, table), table, lines))
+}
+
+/// The text without the tables within a table: `[design.free]` of `design`.
+fn without_inner(text: &str, table: &str) -> String {
+    let inner = format!("[{table}.");
+    let mut rest = text.to_owned();
+    while let Some(head) = heads(&rest).into_iter().find(|head| head.starts_with(&inner)) {
+        match blocks(&rest, &head).into_iter().next() {
+            Some(place) => rest.replace_range(place, ""),
+            None => break,
+        }
+    }
+    rest
+}
+
+fn replaced(text: &str, table: &str, lines: &str) -> String {
     let head = format!("[{table}]");
     let body = format!("{head}\n{}\n", lines.trim_end());
     if let Some(place) = blocks(text, &head).into_iter().next() {
@@ -190,24 +228,34 @@ fn lines_of(text: &str) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
+/// What stands on a line, without a remark.
+fn said(text: &str) -> String {
+    // `[part] # the part`.
+    text.trim().split('#').next().unwrap_or_default().trim().replace(' ', "")
+}
+
+/// Whether a line is the head of a table, and no list that goes on over lines.
+fn is_head(said: &str) -> bool {
+    let name = said.trim_matches(['[', ']']);
+    let named = name.chars().next().is_some_and(|first| !first.is_ascii_digit() && !"-+.".contains(first));
+    said.starts_with('[') && said.ends_with(']') && named && !said.contains([',', '"'])
+}
+
+/// The heads of all tables, in their order.
+fn heads(text: &str) -> Vec<String> {
+    lines_of(text).map(|place| said(&text[place])).filter(|said| is_head(said)).collect()
+}
+
 /// The tables under this head, each from its head to the next one's; comments right above the next head are that one's.
 fn blocks(text: &str, head: &str) -> Vec<Range<usize>> {
     let lines: Vec<Range<usize>> = lines_of(text).collect();
-    let said = |place: &Range<usize>| {
-        let line = text[place.clone()].trim();
-        // `[part] # the part`, but no list that goes on over lines.
-        line.split('#').next().unwrap_or_default().trim().to_owned()
-    };
-    let is_head = |place: &Range<usize>| {
-        let said = said(place);
-        said.starts_with('[') && said.ends_with(']') && !said.contains(',') && !said.contains('"')
-    };
+    let heads_at = |place: &Range<usize>| is_head(&said(&text[place.clone()]));
     let mut found = vec![];
     for (i, place) in lines.iter().enumerate() {
-        if said(place).replace(' ', "") != head {
+        if said(&text[place.clone()]) != head {
             continue;
         }
-        let next = lines[i + 1..].iter().position(is_head).map_or(lines.len(), |more| i + 1 + more);
+        let next = lines[i + 1..].iter().position(heads_at).map_or(lines.len(), |more| i + 1 + more);
         let mut end = next;
         while end > i + 1 && next < lines.len() && text[lines[end - 1].clone()].trim_start().starts_with('#')
         {
@@ -291,5 +339,48 @@ mod tests {
         assert_eq!(gone("b", "c"), "a = 1\nb = { d = 3 }\ne = []\n");
         assert_eq!(gone("b", "d"), "a = 1\nb = { c = 2 }\ne = []\n");
         assert_eq!(setting("[b]\n\n[c]\n", "b", "d", "1").as_deref(), Some("[b]\nd = 1\n\n[c]\n"));
+    }
+
+    #[test]
+    fn keys_with_their_table_before_them_stay_so() {
+        let text = "body.mass = \"1 kg\"\nbody.velocity = [0, -1]\n";
+        assert_eq!(
+            setting(text, "body", "spin", "1").as_deref(),
+            Some("body.mass = \"1 kg\"\nbody.velocity = [0, -1]\nbody.spin = 1\n")
+        );
+        assert_eq!(setting(text, "body", "velocity", "").as_deref(), Some("body.mass = \"1 kg\"\n"));
+    }
+
+    #[test]
+    fn lines_end_as_they_did() {
+        let text = "[body]\r\nmass = 1\r\n";
+        assert_eq!(setting(text, "body", "spin", "2").as_deref(), Some("[body]\r\nmass = 1\r\nspin = 2\r\n"));
+        assert!(
+            adding(text, "contact", "friction = 0.1").ends_with("\r\n[[contact]]\r\nfriction = 0.1\r\n"),
+            "added"
+        );
+    }
+
+    #[test]
+    fn the_tables_within_a_replaced_one_go_with_it() {
+        let text = "[design]\nmax_height = 1\n\n[design.free]\n\"a.b\" = \"1..2\"\n\n[part]\nmass = 1\n";
+        let now = replacing(text, "design", "aim = \"time\"");
+        assert_eq!(now, "[design]\naim = \"time\"\n\n[part]\nmass = 1\n");
+    }
+
+    #[test]
+    fn what_is_typed_is_toml_by_itself() {
+        for (typed, written) in [
+            (".5", "0.5"),
+            ("5.", "5.0"),
+            ("01", "1.0"),
+            ("0.25", "0.25"),
+            ("[1, 2]", "[1, 2]"),
+            ("true", "true"),
+        ] {
+            assert_eq!(as_toml(typed), written, "{typed}");
+        }
+        assert_eq!(as_toml("[1,2"), "\"[1,2\"", "a list without its end is a text");
+        assert_eq!(as_toml("5 mm"), "\"5 mm\"");
     }
 }

@@ -115,8 +115,10 @@ impl Fields<'_> {
         for (number, node) in list.iter().enumerate() {
             let Value::Table(entries) = &node.value else { continue };
             let own = entries.iter().find(|entry| entry.key == "name").map(|entry| &entry.node.value);
-            let called = match own {
-                Some(Value::Text(name)) => name.clone(),
+            let called = match (own, u8::try_from(number)) {
+                (Some(Value::Text(name)), _) => name.clone(),
+                // As answers call them.
+                (_, Ok(number @ 0..26)) if name == "contact" => char::from(b'A' + number).to_string(),
                 _ => (number + 1).to_string(),
             };
             self.table(
@@ -143,7 +145,11 @@ impl Fields<'_> {
             Some(Fallback::Word(word)) => Some(word.to_owned()),
             None => None,
         };
-        let text = written.map(|text| text.trim_matches('"').to_owned()).or(fallback).unwrap_or_default();
+        let as_read = own.map(|node| match &node.value {
+            Value::Text(text) => text.clone(),
+            _ => written.unwrap_or_default().to_owned(),
+        });
+        let text = as_read.or(fallback).unwrap_or_default();
         let single = matches!(key.holds, Holds::Quantity(_) | Holds::Number(_));
         let value = kind.filter(|_| single).and_then(|kind| match (own, key.fallback) {
             (Some(node), _) => read_quantity(key.name, node, kind, None).ok().map(|read| read.value),

@@ -3,12 +3,14 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
+import { linkOf } from "./link";
 import type { Doc } from "./engine/protocol";
 import { film, filmed, stopFilm } from "./record/record";
-import { begun, LESSONS } from "./lessons/lessons";
+import { start } from "./lessons/LessonPanel";
+import { LESSONS } from "./lessons/lessons";
 import { impacts, rolls, scenes, solids } from "./scenes";
 import { taken } from "./taken";
-import { broken, canRedo, canUndo, doc, filesOf, open, redo, undo, whole } from "./state";
+import { broken, canRedo, canUndo, doc, filesOf, open, redo, settled, undo, whole } from "./state";
 
 const FILM: [string, () => Promise<void>] = ["Film of the motion, WebM", film];
 const REPORT: [string, () => Promise<void>] = ["Report, HTML", async () => exported("files", "report.html")];
@@ -31,6 +33,7 @@ const EXPORTS = {
 } satisfies Record<string, [string, () => Promise<void>][]>;
 
 async function exported(ask: "files" | "drawings", file: string): Promise<void> {
+  await settled();
   const text = (await filesOf(ask))[file];
   if (text !== undefined) save(`${stem(doc.value.name)}-${file}`, text);
 }
@@ -47,6 +50,9 @@ function Examples({ label, docs }: { label: string; docs: Doc[] }) {
   );
 }
 
+/** The address of the file as it is. */
+const linkNow = async (): Promise<string> => new URL(await linkOf(doc.value), location.href).href;
+
 export function Bar() {
   const input = useRef<HTMLInputElement>(null);
   const copied = useSignal("Copy link");
@@ -57,7 +63,8 @@ export function Bar() {
     if (input.current !== null) input.current.value = "";
   };
   const link = async () => {
-    await navigator.clipboard.writeText(location.href);
+    await settled();
+    await navigator.clipboard.writeText(await linkNow());
     copied.value = "Link copied";
     setTimeout(() => (copied.value = "Copy link"), 2000);
   };
@@ -70,6 +77,9 @@ export function Bar() {
           id="scene"
           value=""
           onChange={(event) => {
+            // A file that is not opened is not the chosen one.
+            const { currentTarget } = event;
+            setTimeout(() => (currentTarget.value = ""));
             const chosen = [...scenes, ...impacts, ...rolls, ...solids].find(({ name }) => name === event.currentTarget.value);
             if (chosen !== undefined) void open(chosen);
           }}
@@ -91,7 +101,7 @@ export function Bar() {
           onChange={(event) => {
             const lesson = LESSONS[Number(event.currentTarget.value)];
             event.currentTarget.value = "";
-            if (lesson !== undefined) void open(begun(lesson));
+            if (lesson !== undefined) start(lesson);
           }}
         >
           <option value="" selected>
@@ -108,7 +118,7 @@ export function Bar() {
         Open …
       </button>
       <input ref={input} type="file" accept=".toml,.dxf,.svg,.stl" hidden aria-label="A scene's file, or an outline of its part" onChange={() => void read()} />
-      <button type="button" onClick={() => save(doc.value.name, broken.value ?? doc.value.text)}>
+      <button type="button" onClick={() => void settled().then(() => save(doc.value.name, broken.value ?? doc.value.text))}>
         Save
       </button>
       <label>

@@ -15,12 +15,13 @@ import { Solid } from "./solid/Solid";
 import { Surely } from "./surely/Surely";
 import { type Tab, TABS, tab } from "./tabs";
 import { Notice, Problems } from "./Problems";
-import { begin, redo, said, shown, undo } from "./state";
+import { begin, doc, redo, said, shown, undo } from "./state";
 import { taken } from "./taken";
 
 function keys(event: KeyboardEvent): void {
   const command = event.ctrlKey || event.metaKey;
-  const inText = event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement;
+  const { target } = event;
+  const inText = target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && !["range", "checkbox"].includes(target.type));
   // The player's keys work from anywhere that has none of its own.
   const nowhere = event.target === document.body;
   if (!command && nowhere && tab.value === "motion" && playing.value?.press(event.key, event.shiftKey) === true) event.preventDefault();
@@ -114,7 +115,7 @@ export function Studio() {
     };
   }, []);
   return (
-    <div class={`studio${projector.value ? " projector" : ""}`}>
+    <div class={`studio${projector.value && doc.value.lesson !== undefined ? " projector" : ""}`}>
       <Bar />
       <Quantities />
       <main>

@@ -93,6 +93,15 @@ function asked(next: Doc, ask: Ask, tried: string, keep: "remember" | "replace")
   return answered;
 }
 
+/** When all that was asked about the file is answered: what is saved or asked then is of the newest. */
+export async function settled(): Promise<void> {
+  for (let last; last !== asking; ) {
+    last = asking;
+    await last;
+    await engine.idle();
+  }
+}
+
 /** The last question about a file that is under way. */
 let asking: Promise<boolean> = Promise.resolve(true);
 
@@ -117,11 +126,7 @@ export async function open(next: Doc, keep: "remember" | "replace" = "remember")
 
 /** Shows the file that there is in a window as large as its room, when nothing else is asked any more. */
 export async function refit(): Promise<void> {
-  for (let last; last !== asking; ) {
-    last = asking;
-    await last;
-    await engine.idle();
-  }
+  await settled();
   if (windowNow() !== undefined) await open(doc.peek(), "replace");
 }
 
@@ -145,6 +150,7 @@ export function look(window: Window): void {
 
 /** Changes the scene in the window that there is. */
 async function change(by: Change, tried = ""): Promise<boolean> {
+  await settled();
   const window = windowNow();
   return window !== undefined && asked(doc.value, ofScene({ window }, by), tried, "remember");
 }
@@ -167,8 +173,7 @@ export const removeContact = (contact: number): Promise<boolean> => change({ rem
 export const remove = (obstacle: number): Promise<boolean> => change({ remove: { obstacle } });
 
 /** Writes several values, SI. */
-export const moveTo = (values: Record<string, number>): Promise<boolean> =>
-  change({ move: { values } });
+export const moveTo = (values: Record<string, number>, tried = ""): Promise<boolean> => change({ move: { values } }, tried);
 
 /** What is wanted on a plate. */
 export const want = (plate: number, want: string): Promise<boolean> => change({ want: { plate, want } }, "design");
@@ -192,8 +197,8 @@ export async function typed(text: string): Promise<boolean> {
 }
 
 /** Shows what a value would do, while it is being moved. */
-export function preview(from: Doc, path: string, value: string): void {
-  drag(from, { write: { path, value } });
+export function preview(from: Doc, values: Record<string, number>): void {
+  drag(from, { move: { values } });
 }
 
 /** Shows again what there is, after something that was tried is not kept. */
@@ -231,18 +236,27 @@ export async function drop(from: Doc): Promise<void> {
   if (!(await asked({ ...from, text }, ofScene({ window }), "", "remember"))) restore();
 }
 
-async function travel(from: typeof past, to: typeof past): Promise<void> {
+/** One step after the other, however fast they are asked for. */
+let travelling: Promise<void> = Promise.resolve();
+
+function travel(from: typeof past, to: typeof past): Promise<void> {
+  travelling = travelling.then(() => step(from, to));
+  return travelling;
+}
+
+async function step(from: typeof past, to: typeof past): Promise<void> {
+  await settled();
   // The first step back from text that is no scene is to the scene.
   const text = broken.value !== undefined;
   takeBack();
   if (text && from === past) return;
   const there = from.value.at(-1);
   if (there === undefined) return;
-  from.value = from.value.slice(0, -1);
-  to.value = [...to.value, doc.value];
+  const here = doc.value;
   const window = windowNow();
-  const another = there.name !== doc.value.name || window === undefined;
-  await asked(there, ofScene(another ? around() : { window }), "", "replace");
+  const another = there.name !== here.name || window === undefined;
+  if (!(await asked(there, ofScene(another ? around() : { window }), "", "replace"))) return;
+  [from.value, to.value] = [from.value.slice(0, -1), [...to.value, here]];
 }
 
 export const undo = (): Promise<void> => travel(past, future);

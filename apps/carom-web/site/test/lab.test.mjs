@@ -112,3 +112,34 @@ test("a field with a bad value tells its problem, and the impact stays", async (
   assert.ok(!(await text(page)).includes("1.5"), "the file stays");
   await close();
 });
+
+test("sliders write in the unit of the file, and undo keeps every step however fast it is asked for", async () => {
+  const { page, close } = await impact("impact_bar.toml");
+  const slider = page.locator('input[type=range][aria-label^="body: mass"]');
+  await slider.focus();
+  await page.keyboard.press("End");
+  await written(page, 'mass     = "0.6 kg"');
+  await page.keyboard.press("Control+z");
+  await written(page, 'mass     = "0.3 kg"');
+  for (const friction of ["0.16", "0.17", "0.18"]) {
+    await page.locator('[id="quantity-contact.0.friction"]').fill(friction);
+    await page.locator('[id="quantity-contact.0.friction"]').press("Enter");
+    await written(page, `friction    = ${friction}`);
+  }
+  await page.evaluate(() => {
+    document.querySelector("#undo").click();
+    document.querySelector("#undo").click();
+  });
+  await written(page, "friction    = 0.16");
+  await page.locator("#redo").click();
+  await written(page, "friction    = 0.17");
+  await page.locator("#redo").click();
+  await written(page, "friction    = 0.18");
+  // What was chosen of one file is not removed of another.
+  await page.locator('[data-grip="contact.0-point"]').click();
+  assert.equal(await page.locator("#remove").count(), 1);
+  await page.locator("#scene").selectOption("impact_cradle.toml");
+  await page.waitForSelector('[data-grip="contact.1-point"]');
+  assert.equal(await page.locator("#remove").count(), 0);
+  await close();
+});

@@ -161,11 +161,11 @@ impl ImpactStudy {
         let answer = self.problem.under_forces(file)?;
         let report = ForceAnswerReport::new(&self.problem, &answer);
         let forces = |c: &ForceContactReport| {
-            format!("{} N {} N, T {} N", c.name, ascii(c.normal_force, 4), ascii(c.tangential_force, 4))
+            format!("{}: N = {} N, T = {} N", c.name, ascii(c.normal_force, 4), ascii(c.tangential_force, 4))
         };
         let motion = |motion: &ForceMotionReport| {
             let all: Vec<String> = motion.contacts.iter().map(forces).collect();
-            [motion.hypothesis.clone(), all.join("   ")]
+            [motion.hypothesis.clone(), all.join("; ")]
         };
         Ok(Some(UnderForces {
             headline: words::forces_headline(&report, &answer.certainty()),

@@ -52,6 +52,9 @@ export function Picture() {
   }, []);
 
   useFitting(picture);
+  useEffect(() => {
+    [chosen.value, tool.value, corners.value] = [undefined, undefined, []];
+  }, [doc.value.name]);
   useEffect(() => () => (playing.value = undefined), []);
 
   const { seen } = shown.value;

@@ -5,7 +5,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Doc, Limit, Quantity } from "../engine/protocol";
 import { PARTS } from "../parts";
 import { Wrong } from "../Problems";
-import { another, broken, doc, failure, type Found, limits, preview, typed, whole, write } from "../state";
+import { another, broken, doc, failure, type Found, limits, moveTo, preview, typed, whole, write } from "../state";
 
 /** The table that a quantity belongs to, and its key there. */
 function split({ path, label }: Quantity): [string, string] {
@@ -68,9 +68,8 @@ function Zone({ quantity, found }: { quantity: Quantity; found: Found }) {
   const { limit } = found;
   const from = useRef<Doc | undefined>(undefined);
   const [low, high] = reach(quantity, found);
-  const share = (at: number) => Math.min(100, Math.max(0, (100 * (at - low)) / (high - low)));
+  const share = (at: number) => (high > low ? Math.min(100, Math.max(0, (100 * (at - low)) / (high - low))) : 0);
   const [holds, ends] = [share(limit.low_kept), share(limit.high_kept)];
-  const textAt = (input: HTMLInputElement) => withNumber(quantity.text, Number((Number(input.value) / quantity.si).toPrecision(4)));
   const stale = found.text !== doc.value.text;
   return (
     <div class={`zone${stale ? " stale" : ""}`}>
@@ -89,25 +88,25 @@ function Zone({ quantity, found }: { quantity: Quantity; found: Found }) {
         title={limitWords(quantity, limit)}
         onInput={(event) => {
           from.current ??= doc.peek();
-          preview(from.current, quantity.path, textAt(event.currentTarget));
+          preview(from.current, valueAt(quantity, event.currentTarget, 4));
         }}
         onChange={(event) => {
           from.current = undefined;
-          void write(quantity.path, textAt(event.currentTarget));
+          void moveTo(valueAt(quantity, event.currentTarget, 4), quantity.path);
         }}
       />
     </div>
   );
 }
 
-/** What was typed with another number in front; its unit and tolerance stay. */
-function withNumber(text: string, number: number): string {
-  return /-?\d/.test(text) && !text.startsWith("{") ? text.replace(/-?\d+(\.\d+)?(e-?\d+)?/i, String(number)) : String(number);
+/** What a slider says, to so many digits in the unit of drawings, SI. The engine writes it in the unit that the file has. */
+function valueAt(quantity: Quantity, input: HTMLInputElement, digits: number): Record<string, number> {
+  return { [quantity.path]: Number((Number(input.value) / quantity.si).toPrecision(digits)) * quantity.si };
 }
 
 /** What a slider without limits reaches: the interval that is allowed, or as much again on both sides. */
 function around({ value, allowed: [least, most], si, unit }: Quantity): [number, number] {
-  const span = Math.max(Math.abs(value), unit === "" ? 0.5 : si);
+  const span = unit === "" ? Math.max(Math.abs(value), 0.5) : Math.abs(value) || si;
   return [Math.max(value - span, least ?? Number.NEGATIVE_INFINITY), Math.min(value + span, most ?? Number.POSITIVE_INFINITY)];
 }
 
@@ -118,7 +117,6 @@ function Slider({ quantity }: { quantity: Quantity }) {
   // While it is moved its ends stay.
   if (from.current === undefined) range.current = around(quantity);
   const [low, high] = range.current;
-  const textAt = (input: HTMLInputElement) => withNumber(quantity.text, Number((Number(input.value) / quantity.si).toPrecision(3)));
   return (
     <div class="zone plain">
       <input
@@ -130,11 +128,11 @@ function Slider({ quantity }: { quantity: Quantity }) {
         aria-label={`${quantity.label}: ${quantity.about}`}
         onInput={(event) => {
           from.current ??= doc.peek();
-          preview(from.current, quantity.path, textAt(event.currentTarget));
+          preview(from.current, valueAt(quantity, event.currentTarget, 3));
         }}
         onChange={(event) => {
           from.current = undefined;
-          void write(quantity.path, textAt(event.currentTarget));
+          void moveTo(valueAt(quantity, event.currentTarget, 3), quantity.path);
         }}
       />
     </div>
@@ -154,6 +152,8 @@ function Field({ quantity }: { quantity: Quantity }) {
     const goes = value.trim() === "" && !ofScene();
     draft.value = value.trim() === "" && !goes ? text : value;
     if ((goes || value.trim() !== "") && value.trim() !== text) void write(path, value);
+    // What the file has already is right again.
+    else if (failure.peek()?.tried === path) failure.value = undefined;
   };
   const id = `quantity-${path}`;
   return (
@@ -181,7 +181,7 @@ function Field({ quantity }: { quantity: Quantity }) {
             if (event.key === "Enter") keep(event.currentTarget.value);
             if (event.key === "Escape") draft.value = text;
             const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-            if (by === undefined || text.startsWith("{")) return;
+            if (by === undefined || !quantity.number || text.startsWith("{")) return;
             event.preventDefault();
             const step = quantity.unit === "" ? 0.01 : 1;
             keep(stepped(event.currentTarget.value, by * step * (event.shiftKey ? 10 : 1)));
@@ -189,7 +189,7 @@ function Field({ quantity }: { quantity: Quantity }) {
         />
       )}
       {found !== undefined && <Zone quantity={quantity} found={found} />}
-      {!ofScene() && quantity.number && <Slider quantity={quantity} />}
+      {!ofScene() && quantity.number && written && !text.startsWith("{") && <Slider quantity={quantity} />}
       <Wrong failure={wrong} id={`${id}-wrong`} own={path} />
     </div>
   );
@@ -274,6 +274,7 @@ export function Quantities() {
           ))}
         </fieldset>
       ))}
+      {!ofScene() && <p class="note">Pale values count where nothing else in the file says them.</p>}
       {ofScene() && <p class="note">
         Green: the verdict stays while this quantity moves alone. Red: it flips; further away it may hold again. Grey: nothing can be drawn there,
         or it was not searched. Pale values are defaults that the file does not write.

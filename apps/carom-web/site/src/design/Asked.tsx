@@ -4,7 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { DesignAsked, Quantity } from "../engine/protocol";
 import { rangeOf } from "../ranges";
-import { designAsked, doc, want, whole } from "../state";
+import { designAsked, doc, failure, want, whole } from "../state";
 
 const WANTS: [string, string][] = [
   ["", "nothing"],
@@ -26,7 +26,7 @@ function linesOf(asked: DesignAsked, ranges: Range[], quantities: Quantity[]): s
     return own === "" || own === "count" ? "" : ` ${own}`;
   };
   const free = ranges.map(({ path, from, to }) => `${JSON.stringify(path)} = ${JSON.stringify(`${from}..${to}${unit(path)}`)}`);
-  const limits = asked.limits.filter(({ text }) => text.trim() !== "").map(({ key, text }) => `${key} = ${JSON.stringify(text)}`);
+  const limits = asked.limits.filter(({ text }) => text.trim() !== "").map(({ key, text }) => `${key} = ${Number.isFinite(Number(text)) ? text : JSON.stringify(text)}`);
   return [
     `free = { ${free.join(", ")} }`,
     ...limits,
@@ -41,7 +41,11 @@ function Field({ label, value, onKeep, id }: { label: string; value: string; onK
   useEffect(() => {
     draft.value = value;
   }, [value, doc.value.text]);
-  const keep = () => draft.value.trim() !== value && onKeep(draft.value.trim());
+  const keep = () => {
+    if (draft.value.trim() !== value) onKeep(draft.value.trim());
+    // What the file has already is right again.
+    else if (failure.peek()?.tried === "design") failure.value = undefined;
+  };
   return (
     <input
       id={id}

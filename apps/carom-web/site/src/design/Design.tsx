@@ -5,7 +5,7 @@ import { Engine, EngineDied } from "../engine/engine";
 import type { Candidate, DesignFound, Doc, Failure, Progress } from "../engine/protocol";
 import { save, stem } from "../download";
 import { Wrong } from "../Problems";
-import { doc, failure, open } from "../state";
+import { doc, failure, open, settled } from "../state";
 import { tab } from "../tabs";
 import { Asked } from "./Asked";
 
@@ -26,7 +26,9 @@ const progress = signal<Progress | undefined>(undefined);
 const best = signal<{ candidate: Candidate; of: Doc } | undefined>(undefined);
 
 async function search({ scan, samples }: Effort): Promise<void> {
+  await settled();
   const of = doc.peek();
+  stopped.value = false;
   [wrong.value, found.value, best.value] = [undefined, undefined, undefined];
   progress.value = { steps: 0 };
   const hear = (heard: Progress) => {
@@ -39,11 +41,14 @@ async function search({ scan, samples }: Effort): Promise<void> {
     wrong.value = reply.failure;
     if (reply.found !== undefined) [found.value, best.value] = [{ design: reply.found, of }, undefined];
   } catch (error) {
-    const stopped = error instanceof EngineDied && error.message === "stopped";
-    if (!stopped) wrong.value = { message: String(error), problems: [], lines: [] };
+    stopped.value = error instanceof EngineDied && error.message === "stopped";
+    if (!stopped.value) wrong.value = { message: String(error), problems: [], lines: [] };
   }
   progress.value = undefined;
 }
+
+/** Whether the last search was stopped. */
+const stopped = signal(false);
 
 const stop = (): void => searcher.stop();
 
@@ -111,7 +116,7 @@ function Found({ design, of }: { design: DesignFound; of: Doc }) {
   const old = of.text !== doc.value.text;
   return (
     <div class={old ? "old" : ""}>
-      {old && <p class="note">Found for the scene as it was before it was changed.</p>}
+      {old && <p class="note">Found for the file as it was before it was changed.</p>}
       <p class={`headline${design.possible ? "" : " impossible"}`}>{design.possible ? "Possible" : "Not possible"}</p>
       <p class="lead">{design.verdict}</p>
       <ul>
@@ -143,6 +148,7 @@ export function Design() {
   useSignalEffect(() => {
     // Another scene: what is searched is of no use any more.
     if (doc.value.text !== "" && progress.peek() !== undefined) stop();
+    wrong.value = undefined;
   });
   const now = progress.value;
   const news = now?.news;
@@ -173,14 +179,17 @@ export function Design() {
         {now !== undefined && <progress value={news?.look ?? 0} max={news?.looks ?? 1} aria-label="Looks" />}
         <span role="status">
           {now !== undefined && `look ${(news?.look ?? 0) + 1} of ${news?.looks ?? "…"}, ${now.steps} drops`}
-          {now === undefined && best.value !== undefined && "stopped: the best layout so far is below"}
+          {now === undefined && stopped.value && (best.value === undefined ? "stopped before a layout was found" : "stopped: the best layout so far is below")}
         </span>
       </div>
       <Wrong failure={wrong.value} />
       {best.value !== undefined && (
-        <ul class="candidates">
-          <Card candidate={best.value.candidate} of={best.value.of} name="The best so far" />
-        </ul>
+        <>
+          {best.value.of.text !== doc.value.text && <p class="note">Found for the file as it was before it was changed.</p>}
+          <ul class="candidates">
+            <Card candidate={best.value.candidate} of={best.value.of} name="The best so far" />
+          </ul>
+        </>
       )}
       {found.value !== undefined && <Found {...found.value} />}
     </section>

@@ -48,6 +48,7 @@ export class Engine {
   private readonly workers = new Map<Module, Worker>();
   private readonly waiting = new Map<number, Waiting>();
   private next = 0;
+  private stops = 0;
   private newest: { run: () => Promise<void> } | undefined;
   private draining: Promise<void> | undefined;
 
@@ -68,7 +69,10 @@ export class Engine {
   }
 
   private async once(module: Module, doc: Doc, ask: Ask, most: number, hear: (progress: Progress) => void): Promise<Reply> {
+    const { stops } = this;
     const worker = await this.started(module);
+    // It may have been stopped while the module was loaded.
+    if (stops !== this.stops) throw new EngineDied("stopped");
     const id = this.next++;
     return new Promise((resolve, reject) => {
       const late = Number.isFinite(most) ? setTimeout(() => this.stop("it did not answer"), most) : undefined;
@@ -95,6 +99,7 @@ export class Engine {
 
   /** Ends what runs; who waits is told. */
   stop(reason = "stopped"): void {
+    this.stops += 1;
     this.workers.forEach((worker) => worker.terminate());
     this.workers.clear();
     const waiting = [...this.waiting.values()];

@@ -3,6 +3,7 @@
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { Lab as Impact } from "../engine/protocol";
+import { doc } from "../state";
 import { Sketch } from "./Sketch";
 import { Walk } from "./Walk";
 
@@ -26,6 +27,10 @@ export const mixed = (a: number, b: number, share: number): number => a + (b - a
 export function Lab({ lab }: { lab: Impact }) {
   const last = lab.motion.length - 1;
   if (at.peek() > last) at.value = last;
+  useEffect(() => {
+    // Another impact begins at its beginning.
+    [at.value, walking.value] = [0, false];
+  }, [doc.value.name]);
   useEffect(() => {
     if (!walking.value) return undefined;
     let [frame, before] = [0, performance.now()];

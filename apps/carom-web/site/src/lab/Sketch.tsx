@@ -65,8 +65,12 @@ export function Sketch({ lab }: { lab: Lab }) {
   const held = useRef<{ grip: LabGrip; from: Doc; off: Pair } | undefined>(undefined);
   const pan = useRef<{ at: Pair; window: NonNullable<ReturnType<typeof windowNow>> } | undefined>(undefined);
   const adding = useSignal(false);
-  const chosen = useSignal<LabGrip | undefined>(undefined);
+  /** The contact whose ring was held last. */
+  const chosen = useSignal<number | undefined>(undefined);
   useFitting(picture);
+  useEffect(() => {
+    [chosen.value, adding.value] = [undefined, false];
+  }, [doc.value.name]);
   useEffect(() => {
     const escape = (event: KeyboardEvent) => {
       if (event.key !== "Escape") return;
@@ -85,7 +89,7 @@ export function Sketch({ lab }: { lab: Lab }) {
   const grab = (event: PointerEvent, grip: LabGrip) => {
     event.stopPropagation();
     if (adding.value || !mayDiscard()) return;
-    chosen.value = grip.contact === null ? undefined : grip;
+    chosen.value = grip.contact ?? undefined;
     const [x, y] = place(event);
     held.current = { grip, from: doc.peek(), off: [grip.at[0] - x, grip.at[1] - y] };
     at.value = 0;
@@ -117,10 +121,10 @@ export function Sketch({ lab }: { lab: Lab }) {
     await drop(from);
   };
   const gone = async () => {
-    const contact = chosen.value?.contact;
-    if (contact != null && (await removeContact(contact))) chosen.value = undefined;
+    if (chosen.value !== undefined && (await removeContact(chosen.value))) chosen.value = undefined;
   };
 
+  const removable = lab.grips.find(({ contact, pulled }) => contact === chosen.value && pulled.key === "point");
   const window = shown.value.window;
   const [width, height] = window?.size ?? size.value;
   return (
@@ -137,7 +141,7 @@ export function Sketch({ lab }: { lab: Lab }) {
           const now = windowNow();
           if (now === undefined) return;
           if (adding.value) {
-            adding.value = false;
+            [adding.value, chosen.value] = [false, undefined];
             void addContact(place(event));
           } else {
             pan.current = { at: place(event), window: now };
@@ -168,7 +172,7 @@ export function Sketch({ lab }: { lab: Lab }) {
               tabindex={0}
               role="button"
               aria-label={`Move the ${grip.label} with the arrow keys`}
-              onFocus={() => (chosen.value = grip.contact === null ? undefined : grip)}
+              onFocus={() => (chosen.value = grip.contact ?? undefined)}
               onPointerDown={(event) => grab(event, grip)}
               onKeyDown={(event) => void push(event, grip)}
             >
@@ -181,6 +185,7 @@ export function Sketch({ lab }: { lab: Lab }) {
       <div class="tools">
         <button
           type="button"
+          disabled={lab.centres.length !== 1}
           id="add-contact"
           aria-pressed={adding.value}
           title="Then click the place where the body is touched"
@@ -192,9 +197,9 @@ export function Sketch({ lab }: { lab: Lab }) {
         >
           + contact
         </button>
-        {chosen.value !== undefined && (
+        {removable !== undefined && (
           <button type="button" id="remove" onClick={() => void gone()}>
-            Remove {chosen.value.label.replace(/^normal of/, "contact")}
+            Remove {removable.label}
           </button>
         )}
       </div>

@@ -2,12 +2,20 @@
 
 import { signal, useSignalEffect } from "@preact/signals";
 import { doc, open, shown } from "../state";
-import { begun, LESSONS } from "./lessons";
+import { begun, type Lesson, LESSONS } from "./lessons";
 
 /** Larger letters, for a lecture hall. */
 export const projector = signal(false);
 /** What was found in each lesson. */
 const found = signal<ReadonlyMap<string, ReadonlySet<string>>>(new Map());
+
+/** Begins a lesson, as if for the first time. */
+export function start(lesson: Lesson): void {
+  const others = new Map(found.peek());
+  others.delete(lesson.id);
+  found.value = others;
+  void open(begun(lesson));
+}
 
 export function LessonPanel() {
   useSignalEffect(() => {
@@ -25,36 +33,13 @@ export function LessonPanel() {
   const answered = findings.size >= lesson.wanted;
   const go = (to: number) => {
     const next = LESSONS[to];
-    if (next !== undefined) void open(begun(next));
+    if (next !== undefined) start(next);
   };
   return (
     <section class="lesson" aria-label="Lesson">
       <h2>
         {number + 1}. {lesson.title}
       </h2>
-      {lesson.about.map((paragraph) => (
-        <p key={paragraph}>{paragraph}</p>
-      ))}
-      <p class={`question${answered ? " answered" : ""}`}>
-        {answered ? "✓ " : ""}
-        {lesson.question}
-        {lesson.wanted > 1 && ` Found: ${findings.size === 0 ? "none" : [...findings].sort().join(", ")}.`}
-      </p>
-      <div role="status">
-        {answered &&
-          lesson.why.map((paragraph) => (
-            <p class="why" key={paragraph}>
-              {paragraph}
-            </p>
-          ))}
-      </div>
-      {!answered && (
-        <details>
-          <summary>A hint</summary>
-          <p>{lesson.hint}</p>
-        </details>
-      )}
-      <p class="source">{lesson.source}</p>
       <div class="controls">
         <button type="button" disabled={number === 0} onClick={() => go(number - 1)}>
           ◂ before
@@ -79,6 +64,29 @@ export function LessonPanel() {
           Close the lesson
         </button>
       </div>
+      {lesson.about.map((paragraph) => (
+        <p key={paragraph}>{paragraph}</p>
+      ))}
+      <p class={`question${answered ? " answered" : ""}`}>
+        {answered ? "✓ " : ""}
+        {lesson.question}
+        {lesson.wanted > 1 && ` Found: ${findings.size === 0 ? "none" : [...findings].sort().join(", ")}.`}
+      </p>
+      <div role="status">
+        {answered &&
+          lesson.why.map((paragraph) => (
+            <p class="why" key={paragraph}>
+              {paragraph}
+            </p>
+          ))}
+      </div>
+      {!answered && (
+        <details>
+          <summary>A hint</summary>
+          <p>{lesson.hint}</p>
+        </details>
+      )}
+      <p class="source">{lesson.source}</p>
     </section>
   );
 }

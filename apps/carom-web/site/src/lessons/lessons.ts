@@ -133,7 +133,7 @@ export const LESSONS: Lesson[] = [
     id: "painleve",
     title: "Painlevé’s paradox",
     about: [
-      "A rod slides into its lean on a rough plate. Under its weight no motion obeys all laws: every hypothesis breaks an inequality, and each says which.",
+      "A rod leans, and its lower end slides on a rough plate, in the direction in which the rod leans. Under its weight no motion obeys all laws: every hypothesis breaks an inequality, and each says which.",
       "What follows is an impact without approach: friction alone drives the contact together.",
     ],
     doc: example("contact_painleve.toml"),
@@ -145,7 +145,7 @@ export const LESSONS: Lesson[] = [
       return forces != null && forces.motions.length > 0 ? "a motion" : undefined;
     },
     why: [
-      "A force N at the end changes its normal acceleration by (W_nn − μ W_tn) N. Here W_nn = 1.75/kg and W_tn = 1.30/kg, so from μ = 1.347 on a larger force presses the end further in: no force can hold it.",
+      "A force N at the end changes its normal acceleration by (W_nn − μ W_tn) N. Here W_nn = 1.75/kg and W_tn = 1.299/kg, so from μ = 1.347 on a larger force presses the end further in: no force can hold it.",
       "Just below that friction the force that holds it is enormous: 1056 N at μ = 1.34, for a rod of 1 kg.",
     ],
     source: "P. Painlevé, C. R. Acad. Sci. 121 (1895) 112",
@@ -185,7 +185,7 @@ export const LESSONS: Lesson[] = [
     found: (reply) => ((reply.lab?.motion.at(-1)?.[2]?.[0] ?? 0) > 0.999 ? "the last ball" : undefined),
     why: [
       "The softer the second contact is beside the first, the later it is loaded: the first collision is over before the second begins, and the sequence of the textbook comes out.",
-      "Equal balls of steel, springs of Hertz with exponent 3/2, leave 0.994 m/s to the last and move the other two a little.",
+      "Equal balls of steel, springs of Hertz with exponent 3/2, leave 0.995 m/s to the last and move the other two a little.",
     ],
     source: "Y. Liu, Z. Zhao and B. Brogliato, Proc. R. Soc. A 464 (2008) 3193",
   },
@@ -202,8 +202,8 @@ export const LESSONS: Lesson[] = [
     wanted: 1,
     found: (reply) => (reply.lab?.forces?.motions.some(([motion]) => motion === "A sticks, B sticks") === true ? "it holds" : undefined),
     why: [
-      "Both forces can lie along the line from one contact to the other where that line is within both friction cones: its slope, 60 mm in 200 mm, must be below μ = 0.3. Then the rod holds any load: it is wedged.",
-      "How hard the walls press is open: any larger force is balanced too. A feeder’s part that bridges a gap like this stays there.",
+      "Both forces can lie along the line from one contact to the other where that line is within both friction cones: its slope, 60/200 = 0.3, must be below μ. Then the rod holds any load: it is wedged.",
+      "How hard the walls press is open: the forces that are listed are one choice, and any larger ones balance too. A feeder’s part that bridges a gap like this stays there.",
     ],
     source: "Statics: two forces that balance lie on one line, within both friction cones",
   },

@@ -42,8 +42,9 @@ async function draw(axes: [Side, Side]): Promise<void> {
       drawn.value = { html: reply.html ?? "", axes, of, level };
     }
   } catch (error) {
-    if (!(error instanceof EngineDied && error.message === "stopped")) wrong.value = String(error);
-    return;
+    // Who stopped it says what runs now.
+    if (error instanceof EngineDied && error.message === "stopped") return;
+    wrong.value = String(error);
   }
   running.value = false;
 }

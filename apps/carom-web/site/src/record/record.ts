@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import { playing } from "../bench/Picture";
 import { save, stem } from "../download";
-import { doc, notice, shown } from "../state";
+import { doc, notice, settled, shown } from "../state";
 
 /** Frames a second, and the longest film [s]. */
 const RATE = 25;
@@ -39,7 +39,7 @@ async function imageOf(picture: SVGSVGElement, css: string): Promise<HTMLImageEl
 }
 
 /** What the recorder is given: the canvas of a body in space itself, or one on which the picture is drawn. */
-function stage(): { canvas: HTMLCanvasElement; draw: () => Promise<void> } | undefined {
+function stage(): Stage | undefined {
   const space = document.querySelector<HTMLCanvasElement>("#view-motion #solid");
   if (space !== null) return { canvas: space, draw: () => Promise.resolve() };
   const picture = document.querySelector<SVGSVGElement>("#view-motion svg.layout");
@@ -83,37 +83,56 @@ function lastOf(): number {
   return Array.isArray(sample) && typeof sample[0] === "number" ? sample[0] : 0;
 }
 
+interface Stage {
+  canvas: HTMLCanvasElement;
+  draw: () => Promise<void>;
+}
+
+/** Plays the motion frame by frame while the recorder runs; true where all that is wanted was played. */
+async function played({ draw }: Stage, last: number, speed: number): Promise<boolean> {
+  const of = doc.peek();
+  const frames = Math.max(2, Math.ceil((RATE * last) / speed));
+  const most = Math.min(frames, RATE * LONGEST);
+  if (most < frames) notice.value = `The film ends after ${LONGEST} s: choose a higher speed for all of the motion.`;
+  const began = performance.now();
+  for (let frame = 0; frame <= most; frame += 1) {
+    // Of another file it would be another motion.
+    if (!wanted || doc.peek() !== of) return false;
+    goTo(frame / frames, last);
+    await draw();
+    filmed.value = frame / most;
+    // The recorder keeps the time of the clock on the wall.
+    await new Promise((done) => setTimeout(done, Math.max(0, began + (1000 * (frame + 1)) / RATE - performance.now())));
+  }
+  // The end stands for a moment: of a short motion nothing would be recorded else.
+  await draw();
+  await new Promise((done) => setTimeout(done, HELD));
+  return true;
+}
+
 /** Makes a film of the motion at the speed that is chosen, and saves it. */
 export async function film(): Promise<void> {
-  const [on, last] = [stage(), lastOf()];
+  if (filmed.peek() !== undefined) return;
+  await settled();
+  const [on, last, { name }] = [stage(), lastOf(), doc.peek()];
   if (on === undefined || last <= 0 || typeof MediaRecorder === "undefined") {
     notice.value = "There is no motion to film here, or this browser has no recorder.";
     return;
   }
   const speed = Number(document.querySelector<HTMLSelectElement>("#speed")?.value ?? 1);
-  const seconds = Math.min(LONGEST, last / speed);
-  const frames = Math.max(2, Math.ceil(seconds * RATE));
-  const stream = on.canvas.captureStream(RATE);
-  const recorder = new MediaRecorder(stream, { mimeType: "video/webm", videoBitsPerSecond: 8e6 });
-  const parts: Blob[] = [];
-  recorder.ondataavailable = ({ data }) => parts.push(data);
-  const over = new Promise<void>((done) => (recorder.onstop = () => done()));
-  wanted = true;
-  filmed.value = 0;
-  recorder.start();
-  const began = performance.now();
-  for (let frame = 0; frame <= frames && wanted; frame += 1) {
-    goTo(frame / frames, last);
-    await on.draw();
-    filmed.value = frame / frames;
-    // The recorder keeps the time of the clock on the wall.
-    await new Promise((done) => setTimeout(done, Math.max(0, began + (1000 * (frame + 1)) / RATE - performance.now())));
+  [wanted, filmed.value] = [true, 0];
+  try {
+    const recorder = new MediaRecorder(on.canvas.captureStream(RATE), { mimeType: "video/webm", videoBitsPerSecond: 8e6 });
+    const parts: Blob[] = [];
+    recorder.ondataavailable = ({ data }) => parts.push(data);
+    const over = new Promise<void>((done) => (recorder.onstop = () => done()));
+    recorder.start();
+    const whole = await played(on, last, speed);
+    recorder.stop();
+    await over;
+    if (whole) save(`${stem(name)}.webm`, new Blob(parts, { type: "video/webm" }));
+  } catch (error) {
+    notice.value = `The film cannot be made: ${String(error)}`;
   }
-  // The end stands for a moment: of a short motion nothing would be recorded else.
-  await on.draw();
-  await new Promise((done) => setTimeout(done, HELD));
-  recorder.stop();
-  await over;
   filmed.value = undefined;
-  if (wanted) save(`${stem(doc.peek().name)}.webm`, new Blob(parts, { type: "video/webm" }));
 }
