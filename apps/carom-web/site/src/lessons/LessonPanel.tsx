@@ -37,36 +37,35 @@ export function LessonPanel() {
   };
   return (
     <section class="lesson" aria-label="Lesson">
-      <h2>
-        {number + 1}. {lesson.title}
-      </h2>
-      <div class="controls">
-        <button type="button" disabled={number === 0} onClick={() => go(number - 1)}>
-          ◂ before
-        </button>
-        <button type="button" id="lesson-next" disabled={number === LESSONS.length - 1} onClick={() => go(number + 1)}>
-          next ▸
-        </button>
-        <button type="button" onClick={() => go(number)}>
-          Start again
-        </button>
-        <button type="button" aria-pressed={projector.value} onClick={() => (projector.value = !projector.value)}>
-          Large letters
-        </button>
-        <button
-          type="button"
-          onClick={() => {
-            const { lesson: _, ...plain } = doc.peek();
-            projector.value = false;
-            void open(plain);
-          }}
-        >
-          Close the lesson
-        </button>
+      <div class="lesson-head">
+        <h2>
+          {number + 1}. {lesson.title}
+        </h2>
+        <div class="controls">
+          <button type="button" disabled={number === 0} onClick={() => go(number - 1)}>
+            ◂ before
+          </button>
+          <button type="button" id="lesson-next" disabled={number === LESSONS.length - 1} onClick={() => go(number + 1)}>
+            next ▸
+          </button>
+          <button type="button" onClick={() => go(number)}>
+            Start again
+          </button>
+          <button type="button" aria-pressed={projector.value} onClick={() => (projector.value = !projector.value)}>
+            Large letters
+          </button>
+          <button
+            type="button"
+            onClick={() => {
+              const { lesson: _, ...plain } = doc.peek();
+              projector.value = false;
+              void open(plain);
+            }}
+          >
+            Close the lesson
+          </button>
+        </div>
       </div>
-      {lesson.about.map((paragraph) => (
-        <p key={paragraph}>{paragraph}</p>
-      ))}
       <p class={`question${answered ? " answered" : ""}`}>
         {answered ? "✓ " : ""}
         {lesson.question}
@@ -80,6 +79,9 @@ export function LessonPanel() {
             </p>
           ))}
       </div>
+      {lesson.about.map((paragraph) => (
+        <p key={paragraph}>{paragraph}</p>
+      ))}
       {!answered && (
         <details>
           <summary>A hint</summary>
