@@ -12,6 +12,7 @@ const HEAD: Pair = [10, 4.2];
 /** A key moves a grip so far [px]. */
 const PUSH: Pair = [4, 20];
 const DIGITS = 3;
+const NOISE = 1e-12;
 
 function Arrow({ from, by }: { from: Pair; by: Pair }) {
   const length = Math.hypot(...by);
@@ -35,6 +36,9 @@ function Moving({ lab, speed }: { lab: Lab; speed: number }) {
   const now = between(lab.motion, at.value);
   if (now === undefined) return null;
   const [before, after, share] = now;
+  // What is so small beside the largest of the walk is what rounding left.
+  const largest = (k: number[]) => Math.max(...lab.motion.flat().flatMap((body) => k.map((i) => Math.abs(body[i] ?? 0))));
+  const [least, leastSpin] = [NOISE * largest([0, 1]), NOISE * largest([2])];
   return (
     <g class="velocity-arrow" aria-hidden="true">
       {lab.centres.map((centre, body) => {
@@ -43,12 +47,12 @@ function Moving({ lab, speed }: { lab: Lab; speed: number }) {
         const [vx, vy, spin] = [0, 1, 2].map((k) => mixed(a[k] ?? 0, b[k] ?? 0, share)) as [number, number, number];
         const by: Pair = [vx * speed, -vy * speed];
         const size = Math.hypot(vx, vy);
-        const turn = spin === 0 ? "" : `${spin > 0 ? "↺" : "↻"} ${Math.abs(spin).toPrecision(DIGITS)} 1/s`;
+        const turn = Math.abs(spin) <= leastSpin ? "" : `${spin > 0 ? "↺" : "↻"} ${Math.abs(spin).toPrecision(DIGITS)} 1/s`;
         return (
           <g key={body}>
             <Arrow from={centre} by={by} />
             <text class="velocity-name" x={centre[0] + by[0] + (by[0] < 0 ? -10 : 10)} y={centre[1] + by[1] + (by[1] > 0 ? 16 : -6)} text-anchor={by[0] < 0 ? "end" : "start"}>
-              {size === 0 ? "" : `${size.toPrecision(DIGITS)} m/s`}
+              {size <= least ? "" : `${size.toPrecision(DIGITS)} m/s`}
             </text>
             <text class="velocity-name" x={centre[0] - 12} y={centre[1] + 18} text-anchor="end">
               {turn}
