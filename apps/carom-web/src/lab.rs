@@ -18,6 +18,8 @@ const LEAST_ARROW: f64 = 26.0;
 const STEP: f64 = 3.0;
 /// Steps of a normal, in small and in large [rad].
 const TURNS: [f64; 2] = [0.1_f64.to_radians(), 1.0_f64.to_radians()];
+/// Components of a direction are written in steps of this.
+const WRITTEN: f64 = 1e-9;
 /// Where no body is known there is nothing to draw: the window of the picture.
 const EMPTY: ImpactSketch = ImpactSketch { bodies: vec![], contacts: vec![] };
 
@@ -245,7 +247,7 @@ fn metres(at: Vec2, step: f64) -> String {
 fn direction(along: Vec2, step: f64) -> String {
     let angle = (carom_num::elementary::atan2(along.y, along.x) / step).round() * step;
     let unit = Vec2::at_angle(angle);
-    let part = |value: f64| stepped(value, 1e-9).trim_end_matches('0').trim_end_matches('.').to_owned();
+    let part = |value: f64| stepped(value, WRITTEN).trim_end_matches('0').trim_end_matches('.').to_owned();
     let whole = |text: String| if text.is_empty() || text == "-" { "0".to_owned() } else { text };
     format!("[{}, {}]", whole(part(unit.x)), whole(part(unit.y)))
 }
