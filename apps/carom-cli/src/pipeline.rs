@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use carom::tasks;
 use carom_feeder::{FeedRun, Run};
-use carom_figure::{ImpactFigure, ImpulsePlane};
+use carom_figure::ImpulsePlane;
 use carom_scene::Scene;
 
 pub(crate) use carom::tasks::{MADE_BY, draft, drawings, layout};
@@ -16,11 +16,6 @@ pub(crate) fn run(scene: &Scene) -> Result<Run, Failure> {
 /// Feeds several parts, where a scene wants that.
 pub(crate) fn feed(scene: &Scene) -> Result<Option<FeedRun>, Failure> {
     tasks::feed(scene).map_err(|error| Failure::Undone(format!("{}: the feed: {error}", scene.name())))
-}
-
-/// The report of an impact, one HTML page.
-pub(crate) fn impact_report(figure: &ImpactFigure) -> String {
-    carom_figure::impact_report(figure)
 }
 
 /// An impulse plane for a terminal.

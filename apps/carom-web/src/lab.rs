@@ -4,10 +4,11 @@ use crate::answer::named;
 use crate::fields::{fields, moved, written};
 use crate::reply::{BesideShown, Failure, ForcesShown, Headline, LabGrip, LabShown, Reply};
 use crate::request::{Change, Frame, Pulled, PulledKey, Window, point};
+use carom::tasks::impact::space::SpatialImpactStudy;
 use carom::tasks::impact::{Beside, ImpactStudy, words};
 use carom_figure::{ImpactSketch, SketchView, live_impact, live_sketch, live_walk};
 use carom_num::Vec2;
-use carom_scene::{AnyImpact, Form, ImpactProblem, editing};
+use carom_scene::{AnyImpact, Form, SpatialWalkStageReport, editing};
 use std::path::Path;
 
 /// Pixels from a contact to the grip of its normal.
@@ -29,44 +30,80 @@ pub(crate) fn shown(name: &str, text: &str, change: Option<&Change>, frame: Fram
         Some(change) => changed(name, text, change, frame)?,
         None => text.to_owned(),
     };
-    let study = ImpactStudy::of(problem(name, &text)?);
-    let sketch = study.sketch().unwrap_or(EMPTY);
-    let seen = match frame {
+    match AnyImpact::parse(name, &text)? {
+        AnyImpact::Planar(problem) => in_the_plane(ImpactStudy::of(*problem), name, text, frame),
+        AnyImpact::Spatial(problem) => in_space(&SpatialImpactStudy::of(*problem), name, text, frame),
+    }
+}
+
+/// The window of a sketch.
+fn seen(sketch: &ImpactSketch, frame: Frame) -> Result<SketchView, Failure> {
+    Ok(match frame {
         Frame::Size(size) => sketch.view(size.map(|side| side.max(1.0))),
         Frame::Window(window) => SketchView { view: window.view()?, speed: window.speed },
+    })
+}
+
+/// An impact in space: what is said of it, and no picture.
+fn in_space(study: &SpatialImpactStudy, name: &str, text: String, frame: Frame) -> Result<Reply, Failure> {
+    let figure = study.figure(name, "", None);
+    let sections = live_impact(&figure);
+    let states = |stage: &SpatialWalkStageReport| {
+        let does: Vec<String> =
+            stage.contacts.iter().map(|c| format!("{} {}", c.name, c.state.as_str())).collect();
+        format!("{}: {}, until {}", stage.phase, does.join(", "), stage.ended_by)
     };
+    let shown = LabShown {
+        lead: figure.lead.clone(),
+        unseen: "In space: an impact is drawn and pulled in the plane only.",
+        stages: study.report.stages.iter().map(states).collect(),
+        after: format!("{}{}", sections.notes, sections.after),
+        hypotheses: sections.hypotheses,
+        words: format!("An impact in space: {}.", figure.verdict),
+        ..LabShown::default()
+    };
+    let seen = seen(&EMPTY, frame)?;
+    Ok(reply(shown, figure.verdict, &seen, text))
+}
+
+fn reply(lab: LabShown, verdict: String, seen: &SketchView, text: String) -> Reply {
+    Reply {
+        kind: Some("impact"),
+        window: Some(Window { speed: seen.speed, ..Window::of(&seen.view) }),
+        lab: Some(Box::new(lab)),
+        headline: Some(Headline { word: verdict, plate: None, wanted: None }),
+        quantities: Some(fields(Form::Impact, &text)),
+        text: Some(text),
+        ..Reply::default()
+    }
+}
+
+fn in_the_plane(study: ImpactStudy, name: &str, text: String, frame: Frame) -> Result<Reply, Failure> {
+    let sketch = study.sketch().unwrap_or(EMPTY);
+    let seen = seen(&sketch, frame)?;
     let report = &study.report;
     let verdict = words::shown(report).map_or_else(
         || format!("no answer: {}", report.not_staged.clone().unwrap_or_default()),
         |end| words::states(end, report.staged.as_ref()),
     );
     let said = format!("An impact: {verdict}.");
-    Ok(Reply {
-        kind: Some("impact"),
-        window: Some(Window { speed: seen.speed, ..Window::of(&seen.view) }),
-        lab: Some(Box::new(lab(&study, name, (&sketch, &seen), said)?)),
-        headline: Some(Headline { word: verdict, plate: None, wanted: None }),
-        quantities: Some(fields(Form::Impact, &text)),
-        text: Some(text),
-        ..Reply::default()
-    })
+    let lab = lab(&study, name, (&sketch, &seen), said)?;
+    Ok(reply(lab, verdict, &seen, text))
 }
 
 /// The files that `carom impact` writes.
 pub(crate) fn files(name: &str, text: &str) -> Result<Reply, Failure> {
-    let study = ImpactStudy::of(problem(name, text)?);
     let title = Path::new(name).file_stem().unwrap_or_default().to_string_lossy();
-    Ok(Reply { files: Some(named(study.files(&title, text)?)), ..Reply::default() })
-}
-
-/// The impact of a text; in the plane alone.
-fn problem(name: &str, text: &str) -> Result<ImpactProblem, Failure> {
-    match AnyImpact::parse(name, text)? {
-        AnyImpact::Planar(problem) => Ok(*problem),
-        AnyImpact::Spatial(_) => Err(Failure::of_page(
-            "this impact is in space: the lab shows impacts in the plane; `carom impact` resolves it",
-        )),
-    }
+    let files = match AnyImpact::parse(name, text)? {
+        AnyImpact::Planar(problem) => ImpactStudy::of(*problem).files(&title, text)?,
+        AnyImpact::Spatial(problem) => {
+            let study = SpatialImpactStudy::of(*problem);
+            let json = format!("{}\n", serde_json::to_string_pretty(&study.report)?);
+            let page = study.page(&title, text, None);
+            vec![("impact.json".to_owned(), json), ("report.html".to_owned(), page)]
+        }
+    };
+    Ok(Reply { files: Some(named(files)), ..Reply::default() })
 }
 
 fn lab(
@@ -93,6 +130,7 @@ fn lab(
     Ok(LabShown {
         lead: figure.lead.clone(),
         sketch: live_sketch(sketch, seen),
+        unseen: "Only the operator is known: there is no body to draw.",
         centres: sketch.bodies.iter().map(|body| pair(seen.view.at(point(body.centre)))).collect(),
         motion: motion
             .map(|bodies| bodies.into_iter().map(|([x, y], spin)| [x, y, spin]).collect())
@@ -167,11 +205,11 @@ fn changed(name: &str, text: &str, change: &Change, frame: Frame) -> Result<Stri
             editing::setting(text, &pulled.table, key, &value).ok_or_else(lost)
         }
         Change::AddContact { at } => {
-            let problem = problem(name, text)?;
-            if problem.body.is_none() {
-                return Err(Failure::of_page(
-                    "contacts are added to one body: of several, write which two meet",
-                ));
+            let alone =
+                matches!(AnyImpact::parse(name, text)?, AnyImpact::Planar(problem) if problem.body.is_some());
+            if !alone {
+                let message = "contacts are added to one body in the plane: of several, write which two meet";
+                return Err(Failure::of_page(message));
             }
             let window = window_of(frame)?;
             let there = window.view()?.of(point(*at));

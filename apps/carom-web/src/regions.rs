@@ -5,13 +5,12 @@ use crate::reply::Failure;
 use crate::request::Side;
 use crate::watch::Watch;
 use carom::study::regions::{Options, Range, find};
-use carom::tasks::impact::{ImpactStudy, words};
+use carom::tasks::impact::space::SpatialImpactStudy;
+use carom::tasks::impact::{ImpactStudy, space, words};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions};
 use carom_scene::input::InMemory;
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{
-    Form, ImpactProblem, RollProblem, RollReport, SpatialRollProblem, SpatialRollReport, editing,
-};
+use carom_scene::{AnyImpact, Form, RollProblem, RollReport, SpatialRollProblem, SpatialRollReport, editing};
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Mutex;
@@ -66,7 +65,11 @@ fn impact(name: &str, text: &str, given: &[Given<'_>]) -> Option<String> {
         let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
         text = editing::setting(&text, table, key, &si(*value, *dimension))?;
     }
-    let study = ImpactStudy::of(ImpactProblem::parse(name, &text).ok()?);
+    let problem = match AnyImpact::parse(name, &text).ok()? {
+        AnyImpact::Planar(problem) => *problem,
+        AnyImpact::Spatial(problem) => return Some(space::verdict(&SpatialImpactStudy::of(*problem).report)),
+    };
+    let study = ImpactStudy::of(problem);
     let end = words::shown(&study.report);
     Some(end.map_or_else(|| "no answer".to_owned(), |end| words::states(end, study.report.staged.as_ref())))
 }

@@ -176,12 +176,14 @@ pub struct QuantityShown {
 }
 
 /// An impact on the bench.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct LabShown {
     /// Below the headline: end states and law.
     pub lead: String,
-    /// What is struck, as the children of an SVG; empty where only the operator is known.
+    /// What is struck, as the children of an SVG; empty where it is not drawn.
     pub sketch: String,
+    /// Why it is not drawn, where it is not.
+    pub unseen: &'static str,
     /// The mass centres in pixels.
     pub centres: Vec<[f64; 2]>,
     /// Velocity [m/s] and spin [rad/s] of each body: before, and after each stage.

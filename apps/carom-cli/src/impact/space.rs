@@ -4,11 +4,10 @@ use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::impact::text::in_two_columns;
 use crate::impact::write_all;
-use crate::pipeline;
 use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::tolerance::{NON_SLIDING_AGREES, SAME_NUMBER};
-use carom_figure::{ImpactFigure, RollContact};
+use carom::tasks::impact::space::{SpatialImpactStudy, lead, triple, verdict};
 use carom_impact::planar::Law;
 use carom_impact::spatial::Freedom;
 use carom_scene::{
@@ -42,51 +41,19 @@ pub(super) fn impact(
             "{count} contacts: at every stage every hypothesis is tried, which may take seconds"
         )?;
     }
-    let report = SpatialImpactReport::new(problem, &problem.solve());
+    let study = SpatialImpactStudy::of(problem.clone());
+    let report = &study.report;
     match output.format {
-        Format::Text => out.write_all(text(problem, &report).as_bytes())?,
-        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?,
+        Format::Text => out.write_all(text(problem, report).as_bytes())?,
+        Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(report)?)?,
     }
     if output.out.is_some() {
-        let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
-        let files = [("impact.json", json), ("report.html", page(title, source, problem, &report))];
+        let json = format!("{}\n", serde_json::to_string_pretty(report)?);
+        let files =
+            [("impact.json", json), ("report.html", study.page(title, source, closed_form(problem, report)))];
         write_all(&files, &output.folder(title))?;
     }
     Ok(())
-}
-
-/// What happens, in a few words.
-fn verdict(report: &SpatialImpactReport) -> String {
-    match &report.end {
-        None => format!("no answer: {}", report.not_staged.clone().unwrap_or_default()),
-        Some(end) if end.contacts.iter().all(|c| c.normal_impulse == 0.0) => {
-            "nothing happens: no contact approaches".to_owned()
-        }
-        Some(end) => {
-            let each = end.contacts.iter().map(|c| format!("{} {}", c.name, c.state.as_str()));
-            each.collect::<Vec<_>>().join(", ")
-        }
-    }
-}
-
-fn lead(report: &SpatialImpactReport) -> String {
-    let ways = match report.outcome.as_str() {
-        "unique" if !report.examined => "one way on was found at every stage; others may exist",
-        "unique" => "one way on at every stage",
-        "several" => "several ways on, of which one was chosen",
-        _ => "no way on",
-    };
-    let forced = report.stages.iter().filter(|stage| stage.forced.is_some()).count();
-    let ways = match (report.outcome.as_str(), forced) {
-        ("forced", _) => String::new(),
-        _ => format!("{ways} · "),
-    };
-    let forced = match forced {
-        0 => String::new(),
-        1 => "no way on is consistent at one stage: a contact is loaded alone · ".to_owned(),
-        n => format!("no way on is consistent at {n} stages: a contact is loaded alone · "),
-    };
-    format!("{ways}{forced}{} law · in space", report.law)
 }
 
 fn text(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String {
@@ -115,10 +82,6 @@ fn text(problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String 
         text += "  no state is consistent\n";
     }
     text + &rejected_text(kept.collect(), &report.non_sliding_rejected, 0)
-}
-
-fn triple(v: [f64; 3]) -> String {
-    v.map(|x| fixed(x, 6)).join("  ")
 }
 
 /// Each of several bodies after the impact.
@@ -241,59 +204,5 @@ fn twist(problem: &SpatialImpactProblem) -> Option<Twist> {
         spin: body.spin.z,
         friction: first.friction,
         restitution: first.restitution,
-    })
-}
-
-/// How each body moves after it, a sentence each.
-fn after(end: &SpatialImpactEndReport) -> Vec<String> {
-    let of = |name: &str, velocity, spin| {
-        format!("After{name}: velocity {} m/s, spin {} rad/s.", triple(velocity), triple(spin))
-    };
-    let alone = end.velocity_m_s.zip(end.spin_rad_s).map(|(velocity, spin)| of("", velocity, spin));
-    let several = end.bodies.iter().map(|b| of(&format!(", {}", b.name), b.velocity_m_s, b.spin_rad_s));
-    alone.into_iter().chain(several).collect()
-}
-
-fn page(title: &str, source: &str, problem: &SpatialImpactProblem, report: &SpatialImpactReport) -> String {
-    let length =
-        |v: [f64; 3], normal: f64| (v.iter().map(|x| x * x).sum::<f64>() - normal * normal).max(0.0).sqrt();
-    let contact = |c: &SpatialImpactContactReport| RollContact {
-        name: c.name.clone(),
-        state: c.state.as_str().to_owned(),
-        impulse: [c.normal_impulse, length(c.impulse, c.normal_impulse)],
-        velocity: [c.normal_velocity_m_s, length(c.velocity_m_s, c.normal_velocity_m_s)],
-    };
-    let mut notes: Vec<String> =
-        vec!["In space: tangential impulses and slips are given by their size.".to_owned()];
-    notes.extend(closed_form(problem, report));
-    if report.axes == ImpactAxes::Contact {
-        notes.push("Each contact has axes of its own, as the operator was given.".to_owned());
-    }
-    notes.extend(report.end.iter().flat_map(after));
-    let named = |k: usize, words: &str| format!("stage {}: {words}", k + 1);
-    let stages = || report.stages.iter().enumerate();
-    for (k, stage) in stages() {
-        notes.extend(stage.forced.iter().map(|why| named(k, &format!("no way on is consistent: {why}."))));
-    }
-    let found = stages().flat_map(|(k, stage)| stage.ways_on.iter().map(move |way| named(k, way)));
-    let rejected = stages().flat_map(|(k, stage)| {
-        stage.rejected.iter().map(move |r| [named(k, &r.hypothesis), r.because.clone()])
-    });
-    pipeline::impact_report(&ImpactFigure {
-        title: title.to_owned(),
-        verdict: verdict(report),
-        lead: lead(report),
-        notes,
-        contacts: report.end.as_ref().map_or(vec![], |end| end.contacts.iter().map(contact).collect()),
-        bodies: vec![],
-        energy: report.end.as_ref().and_then(|end| Some([end.energy_before?, end.energy_after?])),
-        sketch: None,
-        picture: None,
-        shared: vec![],
-        found: found.collect(),
-        stages: Some(report.stages.len()),
-        rejected: Some(rejected.collect()),
-        source: source.to_owned(),
-        made_by: concat!("carom ", env!("CARGO_PKG_VERSION")).to_owned(),
     })
 }

@@ -10,9 +10,8 @@ const surfaces = import.meta.glob<string>("../../../../examples/*.stl", { query:
 const nameOf = (path: string) => path.slice(path.lastIndexOf("/") + 1);
 const ROLLS = /^roll_(cylinder|prism|rod)/;
 const SOLIDS = /^roll_(pyramid|stool|body)/;
-/** Impacts, and those whose contacts are asked under forces; those in space are the command's. */
+/** Impacts, and those whose contacts are asked under forces. */
 const IMPACTS = /^(impact|contact)_/;
-const IN_SPACE = /^impact_(space_|twist)/;
 
 const files: Record<string, string> = Object.fromEntries(
   Object.entries({ ...outlines, ...surfaces }).map(([path, text]) => [nameOf(path), text]),
@@ -20,7 +19,6 @@ const files: Record<string, string> = Object.fromEntries(
 
 const all: Doc[] = Object.entries(texts)
   .map(([path, text]) => ({ name: nameOf(path), text }))
-  .filter(({ name }) => !IN_SPACE.test(name))
   .map(({ name, text }) => {
     const own = Object.entries(files).filter(([file]) => text.includes(file));
     return { name, text, files: Object.fromEntries(own) };

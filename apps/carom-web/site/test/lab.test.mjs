@@ -143,3 +143,17 @@ test("sliders write in the unit of the file, and undo keeps every step however f
   assert.equal(await page.locator("#remove").count(), 0);
   await close();
 });
+
+test("an impact in space is told, stage by stage", async () => {
+  const { page, complaints, close } = await opened(chrome, FILE);
+  await page.locator("#scene").selectOption("impact_twist.toml");
+  await page.waitForSelector("#lab");
+  assert.match(await page.locator("#lab .over").textContent(), /In space/);
+  assert.ok((await page.locator(".stages-told li").count()) >= 2, "its stages");
+  assert.match(await page.locator("aside.words").textContent(), /law · in space/);
+  await page.locator('[id="quantity-contact.0.friction"]').fill("0.2");
+  await page.locator('[id="quantity-contact.0.friction"]').press("Enter");
+  await written(page, "friction    = 0.2");
+  assert.deepEqual(complaints, []);
+  await close();
+});

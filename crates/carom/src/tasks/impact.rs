@@ -2,6 +2,7 @@
 
 mod figure;
 mod planes;
+pub mod space;
 pub mod words;
 
 use carom_figure::{ImpactFigure, ImpactPicture, ImpactSketch, ImpulsePlane, JointWalk};

@@ -52,6 +52,7 @@ export interface Beside {
 export interface Lab {
   lead: string;
   sketch: string;
+  unseen: string;
   centres: Pair[];
   motion: [number, number, number][][];
   grips: LabGrip[];

@@ -79,7 +79,9 @@ export function LabWords({ lab }: { lab: Lab }) {
       {lab.forces !== null && <Forces forces={lab.forces} />}
       <div dangerouslySetInnerHTML={{ __html: lab.after }} />
       <div dangerouslySetInnerHTML={{ __html: lab.hypotheses }} />
-      <Table caption={`Laws of restitution side by side${before === null ? "" : `; ${joules(before, 0)} J before`}`} rows={lab.laws} />
+      {lab.laws.length > 0 && (
+        <Table caption={`Laws of restitution side by side${before === null ? "" : `; ${joules(before, 0)} J before`}`} rows={lab.laws} />
+      )}
       {lab.sharings.length > 0 && <Table caption="Ways to share the impact side by side: rigid bodies leave it open" rows={lab.sharings} />}
     </aside>
   );

@@ -185,7 +185,7 @@ export function Sketch({ lab }: { lab: Lab }) {
           ))}
         </g>
       </svg>
-      {lab.sketch === "" && <p class="note over">Only the operator is known: there is no body to draw.</p>}
+      {lab.sketch === "" && <p class="note over">{lab.unseen}</p>}
       <div class="tools">
         <button
           type="button"

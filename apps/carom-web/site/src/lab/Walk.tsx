@@ -37,8 +37,15 @@ export function Walk({ lab }: { lab: Lab }) {
           ▸
         </button>
         <input type="range" id="walk-at" aria-label="How far the walk is" min={0} max={last} step={0.01} value={at.value} disabled={last < 1} onInput={(event) => go(Number(event.currentTarget.value))} />
-        <span role="status">{last < 1 ? "there is no walk" : words(lab, at.value)}</span>
+        <span role="status">{last < 1 ? (lab.stages.length > 0 ? "" : "there is no walk") : words(lab, at.value)}</span>
       </div>
+      {last < 1 && lab.stages.length > 0 && (
+        <ol class="stages-told">
+          {lab.stages.map((stage) => (
+            <li key={stage}>{stage}</li>
+          ))}
+        </ol>
+      )}
       {lab.walk !== "" && (
         <div class={`walk-picture${lab.tracks.length === 1 ? " plane" : ""}`}>
           <div dangerouslySetInnerHTML={{ __html: lab.walk }} />
