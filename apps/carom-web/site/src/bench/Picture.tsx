@@ -4,9 +4,9 @@ import { signal, useSignal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { type Player, player } from "../../../../../crates/carom-figure/src/player.js";
 import type { Doc, Grip, Pair, Window } from "../engine/protocol";
-import { around, metres, shifted, useFitting, ZOOM, zoomed } from "../window";
+import { metres, shifted, useFitting, ZOOM, Zoom, zoomed } from "../window";
 import { polygon } from "../parts";
-import { add, another, doc, drag, drop, engine, look, mayDiscard, moved, open, remove, restore, shown, size, whole, windowNow } from "../state";
+import { add, another, doc, drag, drop, engine, look, mayDiscard, moved, remove, restore, shown, size, whole, windowNow } from "../state";
 
 /** Steps that values snap to: lengths [m] and angles [rad]; with shift ten times finer. */
 const SNAP: Pair = [1e-3, Math.PI / 360];
@@ -261,17 +261,7 @@ export function Picture() {
             </button>
           )}
         </div>
-        <div class="zoom">
-          <button type="button" aria-label="Zoom in" onClick={() => around(ZOOM)}>
-            +
-          </button>
-          <button type="button" aria-label="Zoom out" onClick={() => around(1 / ZOOM)}>
-            −
-          </button>
-          <button type="button" onClick={() => void open(doc.peek(), "replace")}>
-            Fit
-          </button>
-        </div>
+        <Zoom />
       </div>
       <div class="clockwork" dangerouslySetInnerHTML={{ __html: controls }} />
     </div>

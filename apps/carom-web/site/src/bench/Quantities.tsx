@@ -66,7 +66,6 @@ function reach(quantity: Quantity, { limit, value }: Found): [number, number] {
 /** The zone in which the verdict holds, green; beyond it red where it flips, grey where nothing can be drawn or was searched. */
 function Zone({ quantity, found }: { quantity: Quantity; found: Found }) {
   const { limit } = found;
-  const from = useRef<Doc | undefined>(undefined);
   const [low, high] = reach(quantity, found);
   const share = (at: number) => (high > low ? Math.min(100, Math.max(0, (100 * (at - low)) / (high - low))) : 0);
   const [holds, ends] = [share(limit.low_kept), share(limit.high_kept)];
@@ -78,23 +77,7 @@ function Zone({ quantity, found }: { quantity: Quantity; found: Found }) {
         <rect class="holds" x={holds} y="1" width={Math.max(0, ends - holds)} height="4" />
         <rect class={limit.high_end === "flips" ? "flips" : "open"} x={ends} y="1" width={Math.max(0, 100 - ends)} height="4" />
       </svg>
-      <input
-        type="range"
-        min={low}
-        max={high}
-        step={(high - low) / 400}
-        value={quantity.value}
-        aria-label={`${quantity.label}: ${limitWords(quantity, limit)}`}
-        title={limitWords(quantity, limit)}
-        onInput={(event) => {
-          from.current ??= doc.peek();
-          preview(from.current, valueAt(quantity, event.currentTarget, 4));
-        }}
-        onChange={(event) => {
-          from.current = undefined;
-          void moveTo(valueAt(quantity, event.currentTarget, 4), quantity.path);
-        }}
-      />
+      <Thumb quantity={quantity} ends={[low, high]} digits={4} words={limitWords(quantity, limit)} />
     </div>
   );
 }
@@ -110,31 +93,42 @@ function around({ value, allowed: [least, most], si, unit }: Quantity): [number,
   return [Math.max(value - span, least ?? Number.NEGATIVE_INFINITY), Math.min(value + span, most ?? Number.POSITIVE_INFINITY)];
 }
 
-/** A value moved by a slider; what comes of it is shown at once. */
-function Slider({ quantity }: { quantity: Quantity }) {
+/** A slider between two ends: what comes of it is shown at once, and written when it is let go. `held` hears whether it is moved. */
+function Thumb(props: { quantity: Quantity; ends: [number, number]; digits: number; words: string; held?: (held: boolean) => void }) {
+  const { quantity, ends: [low, high], digits, words, held = () => undefined } = props;
   const from = useRef<Doc | undefined>(undefined);
-  const range = useRef<[number, number]>([0, 1]);
+  return (
+    <input
+      type="range"
+      min={low}
+      max={high}
+      step={(high - low) / 400}
+      value={quantity.value}
+      aria-label={`${quantity.label}: ${words}`}
+      title={words}
+      onInput={(event) => {
+        held(true);
+        from.current ??= doc.peek();
+        preview(from.current, valueAt(quantity, event.currentTarget, digits));
+      }}
+      onChange={(event) => {
+        held(false);
+        from.current = undefined;
+        void moveTo(valueAt(quantity, event.currentTarget, digits), quantity.path);
+      }}
+    />
+  );
+}
+
+/** A slider of a value without limits. */
+function Slider({ quantity }: { quantity: Quantity }) {
+  const held = useRef(false);
+  const ends = useRef<[number, number]>([0, 1]);
   // While it is moved its ends stay.
-  if (from.current === undefined) range.current = around(quantity);
-  const [low, high] = range.current;
+  if (!held.current) ends.current = around(quantity);
   return (
     <div class="zone plain">
-      <input
-        type="range"
-        min={low}
-        max={high}
-        step={(high - low) / 400}
-        value={quantity.value}
-        aria-label={`${quantity.label}: ${quantity.about}`}
-        onInput={(event) => {
-          from.current ??= doc.peek();
-          preview(from.current, valueAt(quantity, event.currentTarget, 3));
-        }}
-        onChange={(event) => {
-          from.current = undefined;
-          void moveTo(valueAt(quantity, event.currentTarget, 3), quantity.path);
-        }}
-      />
+      <Thumb quantity={quantity} ends={ends.current} digits={3} words={quantity.about} held={(now) => (held.current = now)} />
     </div>
   );
 }

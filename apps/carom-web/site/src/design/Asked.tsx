@@ -35,8 +35,8 @@ function linesOf(asked: DesignAsked, ranges: Range[], quantities: Quantity[]): s
   ].join("\n");
 }
 
-/** A field that counts when it is left, and takes back what it had where it is emptied without need. */
-function Field({ label, value, onKeep, id }: { label: string; value: string; onKeep: (text: string) => void; id?: string }) {
+/** A field that counts when it is left. */
+function Field({ label, value, onKeep }: { label: string; value: string; onKeep: (text: string) => void }) {
   const draft = useSignal(value);
   useEffect(() => {
     draft.value = value;
@@ -48,7 +48,6 @@ function Field({ label, value, onKeep, id }: { label: string; value: string; onK
   };
   return (
     <input
-      id={id}
       aria-label={label}
       value={draft}
       autocomplete="off"

@@ -25,6 +25,9 @@ const progress = signal<Progress | undefined>(undefined);
 /** The best layout of a search that goes on, or was stopped. */
 const best = signal<{ candidate: Candidate; of: Doc } | undefined>(undefined);
 
+/** Whether the last search was stopped. */
+const stopped = signal(false);
+
 async function search({ scan, samples }: Effort): Promise<void> {
   await settled();
   const of = doc.peek();
@@ -46,9 +49,6 @@ async function search({ scan, samples }: Effort): Promise<void> {
   }
   progress.value = undefined;
 }
-
-/** Whether the last search was stopped. */
-const stopped = signal(false);
 
 const stop = (): void => searcher.stop();
 

@@ -3,8 +3,8 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Doc, Lab, LabGrip, Pair } from "../engine/protocol";
-import { addContact, doc, drag, drop, engine, look, mayDiscard, open, removeContact, restore, shown, size, windowNow } from "../state";
-import { around, shifted, useFitting, ZOOM, zoomed } from "../window";
+import { addContact, doc, drag, drop, engine, look, mayDiscard, removeContact, restore, shown, size, windowNow } from "../state";
+import { shifted, useFitting, ZOOM, Zoom, zoomed } from "../window";
 import { at, between, mixed } from "./Lab";
 
 /** The head of an arrow: its length and half its width [px]. */
@@ -207,17 +207,7 @@ export function Sketch({ lab }: { lab: Lab }) {
           </button>
         )}
       </div>
-      <div class="zoom">
-        <button type="button" aria-label="Zoom in" onClick={() => around(ZOOM)}>
-          +
-        </button>
-        <button type="button" aria-label="Zoom out" onClick={() => around(1 / ZOOM)}>
-          −
-        </button>
-        <button type="button" onClick={() => void open(doc.peek(), "replace")}>
-          Fit
-        </button>
-      </div>
+      <Zoom />
     </div>
   );
 }

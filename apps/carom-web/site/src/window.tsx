@@ -3,7 +3,7 @@
 import type { RefObject } from "preact";
 import { useEffect } from "preact/hooks";
 import type { Pair, Window } from "./engine/protocol";
-import { look, refit, size, windowNow } from "./state";
+import { doc, look, open, refit, size, windowNow } from "./state";
 
 export const ZOOM = 1.2;
 /** Pixels of a metre, at least and at most. */
@@ -26,9 +26,26 @@ export const shifted = (window: Window, [dx, dy]: Pair): Window => ({
   low: [window.low[0] - dx / window.scale, window.low[1] + dy / window.scale],
 });
 
-export function around(by: number): void {
+function around(by: number): void {
   const window = windowNow();
   if (window !== undefined) look(zoomed(window, by, [window.size[0] / 2, window.size[1] / 2]));
+}
+
+/** Nearer, farther, and all of it. */
+export function Zoom() {
+  return (
+    <div class="zoom">
+      <button type="button" aria-label="Zoom in" onClick={() => around(ZOOM)}>
+        +
+      </button>
+      <button type="button" aria-label="Zoom out" onClick={() => around(1 / ZOOM)}>
+        −
+      </button>
+      <button type="button" onClick={() => void open(doc.peek(), "replace")}>
+        Fit
+      </button>
+    </div>
+  );
 }
 
 /** Keeps the picture as large as the room that it has. */
