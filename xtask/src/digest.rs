@@ -1,6 +1,6 @@
 //! One digest over a fixed set of runs: the same in debug and release builds and on any number of threads.
 
-use crate::{examples, metadata, steps, tree};
+use crate::{examples, metadata, steps, tree, wasm};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -22,34 +22,70 @@ const STUDIES: [&str; 8] = [
 ];
 
 /// What a run is told apart by.
-struct Setting {
-    profile: &'static str,
-    threads: u32,
+enum Setting {
+    /// A build of the command, on so many threads.
+    Native { profile: &'static str, threads: u32 },
+    /// The command as WebAssembly.
+    Wasm(PathBuf),
 }
 
 impl Setting {
     fn name(&self) -> String {
-        format!("{}, {} threads", self.profile, self.threads)
+        match self {
+            Self::Native { profile, threads } => format!("{profile}, {threads} threads"),
+            Self::Wasm(_) => "WebAssembly".to_owned(),
+        }
+    }
+
+    /// Starts the command.
+    fn command(&self, target: &Path, named: &Path) -> Command {
+        match self {
+            Self::Native { profile, threads } => {
+                let mut command = Command::new(examples::program(target, profile));
+                command.env("RAYON_NUM_THREADS", threads.to_string());
+                command
+            }
+            Self::Wasm(module) => {
+                let mut command = Command::new("node");
+                command.args(["--no-warnings", "xtask/wasi.mjs"]).arg(module).arg(named);
+                command
+            }
+        }
     }
 }
 
 /// Runs every example and every study in each setting and compares what they say and write.
 pub(crate) fn check(root: &Path) -> Result<String, String> {
-    let tasks = tasks(root)?;
     steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
     // The build of the tests has the debug binary in it. Built alone, the command's dependencies have other features, and the tests would compile them anew.
     steps::cargo(root, &["test", "--workspace", "--no-run"])?;
+    let release = THREADS.map(|threads| Setting::Native { profile: "release", threads });
+    let debug = Setting::Native { profile: "debug", threads: THREADS[1] };
+    let settings: Vec<Setting> = release.into_iter().chain([debug]).collect();
+    same(root, &settings).map(|whole| format!("{whole}, 1, 2 and 8 threads, release and debug"))
+}
+
+/// The same, by the command as WebAssembly.
+pub(crate) fn check_wasm(root: &Path) -> Result<String, String> {
+    steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
+    let settings = [Setting::Native { profile: "release", threads: 2 }, Setting::Wasm(wasm::command(root)?)];
+    same(root, &settings).map(|whole| format!("{whole}, release and WebAssembly"))
+}
+
+/// The digest of all runs, which must be the same in all settings.
+fn same(root: &Path, settings: &[Setting]) -> Result<String, String> {
+    let tasks = tasks(root)?;
     let target = metadata::workspace(root)?.target;
     let mut whole = Digest::default();
     let mut differing = vec![];
-    for (task, found) in tasks.iter().zip(side_by_side(tasks.len(), |k| compare(root, &target, k, &tasks[k])))
-    {
+    let compared = side_by_side(tasks.len(), |k| compare(root, &target, k, &tasks[k], settings));
+    for (task, found) in tasks.iter().zip(compared) {
         let (digest, differs) = found?;
         whole.take(&digest.to_le_bytes());
         differing.extend(differs.iter().map(|setting| format!("{task}: {setting}")));
     }
     if differing.is_empty() {
-        Ok(format!("{:016x} over {} runs, 1, 2 and 8 threads, release and debug", whole.0, tasks.len()))
+        Ok(format!("{:016x} over {} runs", whole.0, tasks.len()))
     } else {
         Err(differing.join("\n"))
     }
@@ -74,14 +110,19 @@ fn side_by_side<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<
 }
 
 /// One task in every setting: its digest in the first, and which others differ.
-fn compare(root: &Path, target: &Path, number: usize, task: &str) -> Result<(u64, Vec<String>), String> {
-    let release = THREADS.map(|threads| Setting { profile: "release", threads });
+fn compare(
+    root: &Path,
+    target: &Path,
+    number: usize,
+    task: &str,
+    settings: &[Setting],
+) -> Result<(u64, Vec<String>), String> {
     let run = |setting: &Setting| digest(root, target, number, setting, task);
-    let first = run(&release[0])?;
+    let first = run(&settings[0])?;
     let mut differing = vec![];
-    for setting in release[1..].iter().chain([&Setting { profile: "debug", threads: THREADS[1] }]) {
+    for setting in &settings[1..] {
         if run(setting)? != first {
-            differing.push(format!("{} and {} differ", release[0].name(), setting.name()));
+            differing.push(format!("{} and {} differ", settings[0].name(), setting.name()));
         }
     }
     Ok((first, differing))
@@ -107,9 +148,9 @@ fn digest(root: &Path, target: &Path, number: usize, setting: &Setting, task: &s
     if out.exists() {
         std::fs::remove_dir_all(&out).map_err(|problem| format!("{}: {problem}", out.display()))?;
     }
-    let mut command = Command::new(examples::program(target, setting.profile));
-    command.args(task.split(' ')).args(["--format", "json", "--out"]).arg(&named);
-    command.env("RAYON_NUM_THREADS", setting.threads.to_string()).current_dir(root);
+    std::fs::create_dir_all(&out).map_err(|problem| format!("{}: {problem}", out.display()))?;
+    let mut command = setting.command(target, &named);
+    command.args(task.split(' ')).args(["--format", "json", "--out"]).arg(&named).current_dir(root);
     let mut digest = Digest::default();
     digest.take(timeless(examples::answer(&mut command)?).to_string().as_bytes());
     for file in written(&out)? {

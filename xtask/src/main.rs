@@ -19,6 +19,7 @@ mod source;
 mod steps;
 mod studio;
 mod tree;
+mod wasm;
 
 use std::process::ExitCode;
 use steps::Step;
@@ -46,6 +47,8 @@ cargo xtask COMMAND
                             them: what came out, the worst residuals; exits 1 where a promise broke
   digest                    one digest over a fixed set of runs, which must be the same in debug and
                             release builds and on 1, 2 and 8 threads
+  digest wasm               the same in the release build and by the command as WebAssembly; needs Node.js
+                            and a standard library for wasm32-wasip1, and says so where they are missing
   coverage                  how many lines of each engine crate their tests reach; needs cargo-llvm-cov;
                             exits 1 where it is less than 95 % of one
   fuzz [--seconds N] [TARGET...]
@@ -78,6 +81,7 @@ const BOOK: Step = Step { name: "book", run: book::write };
 /// Chores of their own: they need more than Rust.
 const STUDIO: [Step; 2] =
     [Step { name: "studio", run: studio::build }, Step { name: "studio", run: studio::check }];
+const DIGEST_WASM: Step = Step { name: "digest wasm", run: digest::check_wasm };
 
 /// What the command line asks for.
 enum Task {
@@ -137,6 +141,7 @@ fn task(words: &[&str]) -> Result<Task, String> {
         [name @ ("arrows" | "licences" | "rules" | "examples" | "digest")] => {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }
+        ["digest", "wasm"] => Ok(Task::Run(vec![&DIGEST_WASM])),
         ["book"] => Ok(Task::Run(vec![&BOOK])),
         ["book", "check"] => Ok(Task::Run(STEPS.iter().filter(|step| step.name == "book").collect())),
         ["studio"] => Ok(Task::Run(vec![&STUDIO[0]])),

@@ -66,10 +66,12 @@ fn computed<'s>(
     let looked = regions::Options { accuracy: options.accuracy, depth: options.depth };
     let progress = Progress::new("drops", None);
     let map =
-        OutcomeMap::drawn(scene, plate, axes, looked, || progress.step()).map_err(|error| match error {
-            MapError::Scene(problems) => Failure::from(problems),
-            MapError::Regions(error) => Failure::Usage(error.to_string()),
-        })?;
+        OutcomeMap::drawn(scene, plate, axes, looked, &[], || progress.step()).map_err(
+            |error| match error {
+                MapError::Scene(problems) => Failure::from(problems),
+                MapError::Regions(error) => Failure::Usage(error.to_string()),
+            },
+        )?;
     let seconds = progress.seconds();
     drop(progress);
     Ok(Drawn { map, accuracy: options.accuracy, seconds, plane })

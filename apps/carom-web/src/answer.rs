@@ -18,6 +18,7 @@ impl Request {
         match &self.ask {
             Ask::Show { change, frame } => self.shown(change.as_ref(), *frame),
             Ask::Study(study) => self.studied(study, watch),
+            Ask::Portion { .. } | Ask::Joined { .. } => self.besides(watch),
         }
     }
 
@@ -56,7 +57,7 @@ impl Request {
                 }
                 Ok(Reply::default())
             }
-            Study::Yield { .. } | Study::Map { .. } | Study::Design { .. } => self.besides(watch),
+            Study::Design { .. } => self.besides(watch),
         }
     }
 

@@ -23,6 +23,8 @@ mod fields;
 #[cfg(feature = "whole")]
 mod lab;
 #[cfg(feature = "whole")]
+mod portions;
+#[cfg(feature = "whole")]
 mod regions;
 mod reply;
 mod request;
@@ -30,8 +32,6 @@ mod request;
 mod rolling;
 #[cfg(feature = "whole")]
 mod solid;
-#[cfg(feature = "whole")]
-mod study;
 mod watch;
 #[cfg(feature = "whole")]
 mod whole;
@@ -40,7 +40,7 @@ pub use reply::{
     BesideShown, Candidate, DesignAsked, DesignFound, DesignLimit, Failure, ForcesShown, FreeRange, Grip,
     Headline, LabGrip, LabShown, NamedText, QuantityShown, Reply, Sections, Seen, SolidShown,
 };
-pub use request::{Ask, Change, Frame, Held, Pulled, PulledKey, Request, Side, Study, Table, Window};
+pub use request::{Ask, Change, Frame, Held, Pulled, PulledKey, Request, Shared, Side, Study, Table, Window};
 pub use watch::Watch;
 
 /// Answers one request; `watch` hears how far it is.

@@ -4,7 +4,7 @@ use crate::fields::{dimensions, si};
 use crate::reply::Failure;
 use crate::request::Side;
 use crate::watch::Watch;
-use carom::study::regions::{Options, Range, find};
+use carom::study::regions::{Options, Range, RegionsError, explore, find};
 use carom::tasks::impact::space::SpatialImpactStudy;
 use carom::tasks::impact::{ImpactStudy, space, words};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions};
@@ -81,68 +81,122 @@ fn label(words: &str) -> u64 {
     hasher.finish()
 }
 
-/// The diagram, as SVG.
-pub(crate) fn drawn(
-    file: &File<'_>,
-    sides: &[Side; 2],
-    (cells, options): (usize, Options),
-    watch: &dyn Watch,
-) -> Result<String, Failure> {
-    let (form, text) = (file.form, file.text);
-    let paths = sides.each_ref().map(|side| side.path.as_str());
-    let dimensions = dimensions(form, text, paths)?;
-    let units: Vec<Option<Unit>> = dimensions.iter().map(|of| of.unit(of.usual())).collect();
-    let shown = |unit: Option<Unit>, value: f64| unit.map_or(value, |unit| unit.of_si(value));
-    let range = |k: usize| Range {
-        from: shown(units[k], sides[k].from),
-        to: shown(units[k], sides[k].to),
-        count: cells,
-    };
-    let names: Mutex<BTreeMap<u64, String>> = Mutex::default();
-    let classify = |x: f64, y: f64| {
+/// The words that were found at a point, in units of the axes and as whole numbers.
+pub(crate) type Told = (u64, u64, String);
+
+/// The plane of two values of a file.
+pub(crate) struct Plane<'a> {
+    file: &'a File<'a>,
+    sides: &'a [Side; 2],
+    dimensions: Vec<Dimension>,
+    units: Vec<Option<Unit>>,
+    cells: usize,
+    options: Options,
+}
+
+impl<'a> Plane<'a> {
+    pub(crate) fn of(
+        file: &'a File<'a>,
+        sides: &'a [Side; 2],
+        (cells, options): (usize, Options),
+    ) -> Result<Self, Failure> {
+        let dimensions = dimensions(file.form, file.text, sides.each_ref().map(|side| side.path.as_str()))?;
+        let units = dimensions.iter().map(|of| of.unit(of.usual())).collect();
+        Ok(Self { file, sides, dimensions, units, cells, options })
+    }
+
+    fn shown(&self, k: usize, value: f64) -> f64 {
+        self.units[k].map_or(value, |unit| unit.of_si(value))
+    }
+
+    fn ranges(&self) -> [Range; 2] {
+        let range = |k: usize| Range {
+            from: self.shown(k, self.sides[k].from),
+            to: self.shown(k, self.sides[k].to),
+            count: self.cells,
+        };
+        [range(0), range(1)]
+    }
+
+    /// How it comes out at a point.
+    fn ending(&self, at: [f64; 2], watch: &dyn Watch) -> String {
         watch.step();
-        let value = |k: usize, shown: f64| units[k].map_or(shown, |unit| unit.to_si(shown));
-        let given = [(paths[0], value(0, x), dimensions[0]), (paths[1], value(1, y), dimensions[1])];
-        let words = ending(file, &given);
-        let label = label(&words);
-        // A lock is poisoned by a panic alone, which ends the whole page's worker.
-        if let Ok(mut names) = names.lock() {
-            names.entry(label).or_insert(words);
-        }
-        label
-    };
-    let regions =
-        find(range(0), range(1), &options, classify).map_err(|error| Failure::of_page(&error.to_string()))?;
-    let names = names.into_inner().unwrap_or_default();
-    let fields = form.fields(text);
-    let own = |k: usize| {
-        let field = fields.iter().find(|field| field.path() == paths[k]);
-        field.and_then(|field| field.value).map_or(f64::NAN, |value| shown(units[k], value))
-    };
-    let label = |path: &str| {
+        let given = [0, 1].map(|k| {
+            let value = self.units[k].map_or(at[k], |unit| unit.to_si(at[k]));
+            (self.sides[k].path.as_str(), value, self.dimensions[k])
+        });
+        ending(self.file, &given)
+    }
+
+    /// What is found in one band of the plane, `number` of `of`.
+    pub(crate) fn explored(&self, band: (u32, u32), watch: &dyn Watch) -> Result<Vec<Told>, Failure> {
+        let told = Mutex::new(vec![]);
+        let classify = |x: f64, y: f64| {
+            let words = self.ending([x, y], watch);
+            let label = label(&words);
+            // A lock is poisoned by a panic alone, which ends the whole page's worker.
+            if let Ok(mut told) = told.lock() {
+                told.push((x.to_bits(), y.to_bits(), words));
+            }
+            label
+        };
+        explore(self.ranges(), &self.options, band, classify).map_err(of_regions)?;
+        Ok(told.into_inner().unwrap_or_default())
+    }
+
+    /// The diagram, as SVG; what is known already is not asked again.
+    pub(crate) fn drawn(&self, known: Vec<Told>, watch: &dyn Watch) -> Result<String, Failure> {
+        let known: BTreeMap<(u64, u64), String> =
+            known.into_iter().map(|(x, y, words)| ((x, y), words)).collect();
+        let names: Mutex<BTreeMap<u64, String>> = Mutex::default();
+        let classify = |x: f64, y: f64| {
+            let words = known.get(&(x.to_bits(), y.to_bits())).cloned();
+            let words = words.unwrap_or_else(|| self.ending([x, y], watch));
+            let label = label(&words);
+            if let Ok(mut names) = names.lock() {
+                names.entry(label).or_insert(words);
+            }
+            label
+        };
+        let [x, y] = self.ranges();
+        let regions = find(x, y, &self.options, classify).map_err(of_regions)?;
+        let names = names.into_inner().unwrap_or_default();
+        let title = match self.file.form {
+            Form::Impact => "how the impact ends",
+            _ => "what the first strike does",
+        };
+        Ok(live_regions(&RegionDiagram {
+            title: title.to_owned(),
+            subtitle: String::new(),
+            axes: [0, 1].map(|k| self.axis(k)),
+            regions: &regions,
+            name: &|label| named(names.get(&label).map_or("", String::as_str)),
+            curves_are: String::new(),
+            curves: vec![],
+            here: Some(([0, 1].map(|k| self.own(k)), "the file".to_owned())),
+        }))
+    }
+
+    /// Where the file is on an axis.
+    fn own(&self, k: usize) -> f64 {
+        let fields = self.file.form.fields(self.file.text);
+        let field = fields.iter().find(|field| field.path() == self.sides[k].path);
+        field.and_then(|field| field.value).map_or(f64::NAN, |value| self.shown(k, value))
+    }
+
+    fn axis(&self, k: usize) -> RegionAxis {
+        let path = self.sides[k].path.as_str();
+        let fields = self.file.form.fields(self.file.text);
         let field = fields.iter().find(|field| field.path() == path);
         let group = field.map_or("", |field| field.group.as_str());
         let key = path.rsplit('.').next().unwrap_or(path).replace('_', " ");
-        if group.is_empty() { key } else { format!("{group}: {key}") }
-    };
-    let axis = |k: usize| RegionAxis {
-        name: label(paths[k]),
-        unit: units[k].map_or("", |unit| unit.symbol).to_owned(),
-    };
-    let title = match form {
-        Form::Impact => "how the impact ends",
-        _ => "what the first strike does",
-    };
-    Ok(live_regions(&RegionDiagram {
-        title: title.to_owned(),
-        subtitle: String::new(),
-        axes: [axis(0), axis(1)],
-        regions: &regions,
-        name: &|label| named(names.get(&label).map_or("", String::as_str)),
-        curves_are: String::new(),
-        curves: vec![],
-        here: Some(([own(0), own(1)], "the file".to_owned())),
-    }))
+        let name = if group.is_empty() { key } else { format!("{group}: {key}") };
+        RegionAxis { name, unit: self.units[k].map_or("", |unit| unit.symbol).to_owned() }
+    }
+}
+
+fn of_regions(error: RegionsError) -> Failure {
+    Failure::of_page(&error.to_string())
 }
 
 /// `1` of `1: separates at A, sticks at K`, `Ase Kst` of `A separates, K sticks`; else the first letters of its words.

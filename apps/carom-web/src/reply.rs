@@ -47,6 +47,12 @@ pub struct Reply {
     /// Scenes to open.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scenes: Option<Vec<NamedText>>,
+    /// What one worker found of long work, for [`Ask::Joined`](crate::Ask::Joined).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub portion: Option<String>,
+    /// True where the work needs one more round.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub again: bool,
     /// How far a quantity may move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<Box<Limit>>,

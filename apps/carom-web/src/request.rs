@@ -36,6 +36,48 @@ pub enum Ask {
     },
     /// What else there is to know of the scene as it stands.
     Study(Study),
+    /// One worker's portion of long work.
+    Portion {
+        /// The work.
+        study: Shared,
+        /// Which round of it, from 0: what a round asks may follow from the one before.
+        round: usize,
+        /// Which portion, from 0.
+        number: u32,
+        /// Of how many.
+        of: u32,
+    },
+    /// What all portions say together, or that one more round is needed.
+    Joined {
+        /// The work.
+        study: Shared,
+        /// The answers of all portions, round by round.
+        known: Vec<Vec<String>>,
+    },
+}
+
+/// Long work that several workers share.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Shared {
+    /// How surely it ends as wanted under its tolerances.
+    Yield {
+        /// Drops at least.
+        samples: u64,
+        /// Of the random points.
+        seed: u64,
+    },
+    /// How it ends over two of its quantities.
+    Map {
+        /// Abscissa and ordinate.
+        axes: [Side; 2],
+        /// Cells of each.
+        cells: usize,
+        /// How often a cell is halved at most.
+        depth: u32,
+        /// Accuracy of the boundaries, as a share of the axes.
+        accuracy: f64,
+    },
 }
 
 /// A change of a scene, or of an impact.
@@ -137,24 +179,6 @@ pub enum Study {
     Limit {
         /// Path of the quantity.
         path: String,
-    },
-    /// How surely it ends as wanted under its tolerances.
-    Yield {
-        /// Drops at least.
-        samples: u64,
-        /// Of the random points.
-        seed: u64,
-    },
-    /// How it ends over two of its quantities.
-    Map {
-        /// Abscissa and ordinate.
-        axes: [Side; 2],
-        /// Cells of each.
-        cells: usize,
-        /// How often a cell is halved at most.
-        depth: u32,
-        /// Accuracy of the boundaries, as a share of the axes.
-        accuracy: f64,
     },
     /// How it would end with these values; nothing else.
     At {

@@ -4,8 +4,7 @@ use crate::regions::File;
 use crate::reply::{Failure, Headline, Reply};
 use crate::request::{Ask, Request, Study};
 use crate::watch::Watch;
-use crate::{design, fields, lab, regions, rolling, solid, study};
-use carom::study::regions::Options;
+use crate::{design, fields, lab, portions, regions, rolling, solid};
 use carom::tasks::design::DesignPlan;
 use carom_scene::Form;
 
@@ -26,19 +25,18 @@ impl Request {
                 }
             }
             Ask::Study(study) if form == Form::Scene => self.of_scene(study, watch),
-            Ask::Study(study) => self.of_another(form, study, watch),
+            Ask::Study(study) => self.of_another(form, study),
+            Ask::Portion { study, round, number, of } => {
+                let portion = portions::of(self, study, (*round, (*number, *of)), watch)?;
+                Ok(Reply { portion: Some(portion), ..Reply::default() })
+            }
+            Ask::Joined { study, known } => portions::joined(self, study, known, watch),
         }
     }
 
     fn of_scene(&self, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
         let scene = self.scene()?;
         match study {
-            Study::Yield { samples, seed } => study::yielded(&scene, *samples, *seed, watch),
-            Study::Map { axes, cells, depth, accuracy } => {
-                let options = Options { accuracy: *accuracy, depth: *depth };
-                let html = study::map(&scene, axes, *cells, options, watch)?;
-                Ok(Reply { html: Some(html), ..Reply::default() })
-            }
             Study::Design { scan, samples, seed } => {
                 design::found(&scene, DesignPlan { scan: *scan, samples: *samples, seed: *seed }, watch)
             }
@@ -47,23 +45,18 @@ impl Request {
     }
 
     /// What may be asked of an impact or of what rolls.
-    fn of_another(&self, form: Form, study: &Study, watch: &dyn Watch) -> Result<Reply, Failure> {
+    fn of_another(&self, form: Form, study: &Study) -> Result<Reply, Failure> {
         let (name, text) = (self.name.as_str(), self.text.as_str());
         let files = self.files();
-        let file = File { form, name, text, beside: &files };
         match (study, form) {
             (Study::Files, Form::Impact) => lab::files(name, text),
             (Study::Files, Form::Roll(kind)) => rolling::files(kind, name, text),
             (Study::Files, Form::SpatialRoll(kind)) => solid::files(kind, (name, text), &files),
-            (Study::Map { axes, cells, depth, accuracy }, _) => {
-                let options = Options { accuracy: *accuracy, depth: *depth };
-                let html = regions::drawn(&file, axes, (*cells, options), watch)?;
-                Ok(Reply { html: Some(html), ..Reply::default() })
-            }
             (Study::At { values }, _) => {
                 let dimensions = fields::dimensions(form, text, values.keys())?;
                 let given =
                     values.iter().zip(&dimensions).map(|((path, value), of)| (path.as_str(), *value, *of));
+                let file = File { form, name, text, beside: &files };
                 let word = regions::ending(&file, &given.collect::<Vec<_>>());
                 Ok(Reply { headline: Some(Headline { word, plate: None, wanted: None }), ..Reply::default() })
             }

@@ -95,12 +95,56 @@ fn what_does_not_fit_is_told_and_nothing_panics() {
             let shown = show("x.toml", text, change);
             assert!(shown["failure"]["message"].is_string(), "{change} of {text:.20}: {shown:.200}");
         }
-        for study in [
-            json!("files"),
-            json!({ "yield": { "samples": 16, "seed": 1 } }),
-            json!({ "at": { "values": {} } }),
-        ] {
+        for study in [json!("files"), json!({ "at": { "values": {} } })] {
             ask("x.toml", text, &json!({ "study": study }));
+        }
+        let shared = json!({ "yield": { "samples": 16, "seed": 1 } });
+        for known in [json!([]), json!([["[1, 2"]]), json!([["[1, 2]"]]), json!([[], []])] {
+            let joined = ask("x.toml", text, &json!({ "joined": { "study": shared, "known": known } }));
+            assert!(joined["failure"]["message"].is_string(), "{known} of {text:.20}: {joined:.200}");
+        }
+    }
+}
+
+/// Long work by so many workers, and how many steps the last of all took.
+fn shared(name: &str, text: &str, study: &Value, of: u32) -> (Value, usize) {
+    let mut known: Vec<Vec<String>> = vec![];
+    loop {
+        let round = known.len();
+        let portion = |number: u32| {
+            let asked = json!({ "study": study, "round": round, "number": number, "of": of });
+            let reply = ask(name, text, &json!({ "portion": asked }));
+            reply["portion"].as_str().unwrap_or_else(|| panic!("{}", reply["failure"])).to_owned()
+        };
+        known.push((0..of).map(portion).collect());
+        let joined = json!({ "joined": { "study": study, "known": known } });
+        let request = json!({ "name": name, "text": text, "ask": joined });
+        let heard = Heard::default();
+        let reply: Value = serde_json::from_str(&carom_web::answer(&request.to_string(), &heard)).unwrap();
+        if reply["again"] != true {
+            return (reply, heard.steps.into_inner());
+        }
+    }
+}
+
+#[test]
+fn workers_say_together_what_one_says() {
+    let side = |path: &str, from: f64, to: f64| json!({ "path": path, "from": from, "to": to });
+    let map = |axes: [Value; 2], cells: usize| json!({ "map": { "axes": axes, "cells": cells, "depth": 1, "accuracy": 1e-3 } });
+    let of_scene = [side("contact.friction", 0.05, 0.4), side("contact.restitution", 0.0, 0.4)];
+    let of_impact = [side("contact.0.friction", 0.05, 1.0), side("contact.1.friction", 0.05, 1.0)];
+    for (name, study) in [
+        ("designer.toml", json!({ "yield": { "samples": 2048, "seed": 1 } })),
+        ("case_2.toml", map(of_scene, 8)),
+        ("impact_step.toml", map(of_impact, 6)),
+    ] {
+        let text = example(name);
+        let (one, _) = shared(name, &text, &study, 1);
+        assert!(one["html"].as_str().unwrap().len() > 1000, "{name}: a picture or tables");
+        for of in [2, 5, 40] {
+            let (several, steps) = shared(name, &text, &study, of);
+            assert_eq!(several, one, "{name} by {of} workers");
+            assert!(steps < 40, "{name}: {steps} drops had to be asked again of {of} workers");
         }
     }
 }
@@ -111,7 +155,7 @@ fn regions_of_an_impact_are_told_at_each_point_as_they_are_drawn() {
     let side = |path: &str| json!({ "path": path, "from": 0.05, "to": 1.0 });
     let axes = [side("contact.0.friction"), side("contact.1.friction")];
     let map = json!({ "map": { "axes": axes, "cells": 6, "depth": 0, "accuracy": 1e-2 } });
-    let html = ask("step.toml", &text, &json!({ "study": map }))["html"].as_str().unwrap().to_owned();
+    let html = shared("step.toml", &text, &map, 1).0["html"].as_str().unwrap().to_owned();
     let at = json!({ "at": { "values": { "contact.0.friction": 0.5, "contact.1.friction": 0.1 } } });
     let there =
         ask("step.toml", &text, &json!({ "study": at }))["headline"]["word"].as_str().unwrap().to_owned();

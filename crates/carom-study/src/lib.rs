@@ -22,6 +22,7 @@ pub mod feeds;
 pub mod fits;
 pub mod limits;
 pub mod map;
+mod packed;
 pub mod poses;
 pub mod regions;
 pub mod releases;

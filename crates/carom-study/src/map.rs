@@ -4,10 +4,13 @@
 //! runs, not drawn through a raster. What every node of the grid measures is kept beside it.
 
 use crate::ending::{Dropped, Ending};
+use crate::packed::{Packed, packed};
 use crate::regions::{self, Options, Range, Regions, RegionsError};
 use carom_feeder::Feeder;
 use carom_motion::planar;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// What one node of a map's grid measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +103,92 @@ pub fn draw(
     plate: usize,
     feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
 ) -> Result<Map, RegionsError> {
-    drawn([x, y], options, plate, &feeder)
+    drawn([x, y], options, plate, &feeder, &[])
+}
+
+/// As [`draw`], where some drops are known already: those of [`explore`].
+///
+/// # Errors
+/// As [`draw`].
+pub fn draw_knowing(
+    [x, y]: [Range; 2],
+    options: &Options,
+    plate: usize,
+    feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
+    known: &[Node],
+) -> Result<Map, RegionsError> {
+    drawn([x, y], options, plate, &feeder, known)
+}
+
+/// Follows the drops that [`draw`] asks for in a band of the plane: `number` of `of` bands of rows, from 0. A machine each, and
+/// [`draw_knowing`] what they found: the map is the same, to the last digit.
+///
+/// # Errors
+/// As [`draw`]. A band that there is not has no drops.
+///
+/// # Example
+/// ```
+/// use carom_feeder::examples;
+/// use carom_study::map::{draw, draw_knowing, explore, of_words, to_words};
+/// use carom_study::regions::{Options, Range};
+/// let slope = |friction: f64, _: f64| Some(examples::rod_on_a_slope(friction));
+/// let axes = [Range { from: 0.6, to: 1.2, count: 3 }, Range { from: 1.0, to: 2.0, count: 2 }];
+/// let options = Options { accuracy: 1e-3, depth: 1 };
+/// let mut known = explore(axes, &options, 0, (0, 2), slope)?;
+/// let sent = to_words(&explore(axes, &options, 0, (1, 2), slope)?);
+/// known.extend(of_words(&sent).unwrap());
+/// let whole = draw(axes[0], axes[1], &options, 0, slope)?;
+/// assert_eq!(draw_knowing(axes, &options, 0, |_, _| None, &known)?, whole);
+/// # Ok::<(), carom_study::regions::RegionsError>(())
+/// ```
+pub fn explore(
+    axes: [Range; 2],
+    options: &Options,
+    plate: usize,
+    band: (u32, u32),
+    feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
+) -> Result<Vec<Node>, RegionsError> {
+    let asked = Mutex::new(BTreeMap::new());
+    regions::explore(axes, options, band, |x, y| {
+        let node = Node::of(feeder(x, y), [x, y], plate);
+        // Only a thread that panics poisons a lock, and its panic goes on.
+        asked.lock().unwrap_or_else(PoisonError::into_inner).insert([x, y].map(f64::to_bits), node);
+        node.ending
+    })?;
+    Ok(asked.into_inner().unwrap_or_else(PoisonError::into_inner).into_values().collect())
+}
+
+packed!(Node { x, y, ending, impact_speed, flat, margin });
+
+/// Drops as whole numbers, to be sent to where the map is drawn.
+pub fn to_words(nodes: &[Node]) -> Vec<u64> {
+    let mut words = vec![];
+    nodes.iter().for_each(|node| node.pack(&mut words));
+    words
+}
+
+/// The drops that [`to_words`] gave; `None` where the numbers are no drops.
+pub fn of_words(words: &[u64]) -> Option<Vec<Node>> {
+    let mut words = words.iter();
+    let mut nodes = vec![];
+    while !words.as_slice().is_empty() {
+        nodes.push(Node::unpack(&mut words)?);
+    }
+    Some(nodes)
+}
+
+impl Node {
+    fn of(feeder: Option<Feeder>, [x, y]: [f64; 2], plate: usize) -> Self {
+        let dropped = Dropped::of(feeder.as_ref(), plate, &planar::Options::default());
+        Self {
+            x,
+            y,
+            ending: dropped.ending,
+            impact_speed: dropped.impact_speed(plate),
+            flat: dropped.flat(plate),
+            margin: dropped.margin(),
+        }
+    }
 }
 
 fn drawn(
@@ -108,26 +196,19 @@ fn drawn(
     options: &Options,
     plate: usize,
     feeder: &(dyn Fn(f64, f64) -> Option<Feeder> + Sync),
+    known: &[Node],
 ) -> Result<Map, RegionsError> {
     regions::check(x, y, options)?;
-    let drop = |x: f64, y: f64| Dropped::of(feeder(x, y).as_ref(), plate, &planar::Options::default());
+    let known: BTreeMap<[u64; 2], Node> =
+        known.iter().map(|node| ([node.x, node.y].map(f64::to_bits), *node)).collect();
+    let node = |x: f64, y: f64| {
+        let known = known.get(&[x, y].map(f64::to_bits)).copied();
+        known.unwrap_or_else(|| Node::of(feeder(x, y), [x, y], plate))
+    };
     let places: Vec<[f64; 2]> = regions::nodes([x, y]).collect();
-    let nodes: Vec<Node> = places
-        .par_iter()
-        .map(|&[x, y]| {
-            let dropped = drop(x, y);
-            Node {
-                x,
-                y,
-                ending: dropped.ending,
-                impact_speed: dropped.impact_speed(plate),
-                flat: dropped.flat(plate),
-                margin: dropped.margin(),
-            }
-        })
-        .collect();
-    let known = nodes.iter().map(|node| node.ending).collect();
-    let regions = regions::find_between([x, y], options, known, &|x, y| drop(x, y).ending)?;
+    let nodes: Vec<Node> = places.par_iter().map(|&[x, y]| node(x, y)).collect();
+    let labels = nodes.iter().map(|node| node.ending).collect();
+    let regions = regions::find_between([x, y], options, labels, &|x, y| node(x, y).ending)?;
     let drops = nodes.len() + regions.evaluations;
     Ok(Map { regions, nodes, drops })
 }

@@ -3,14 +3,15 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how often intervals hold is a measurement")]
 
-use carom_feeder::{Feeder, Outcome, Part, Plate, Start, Stop, Verdict};
+use carom_feeder::{Feeder, Outcome, Part, Plate, Run, Start, Stop, Verdict};
 use carom_impact::planar::Law;
 use carom_num::Vec2;
 use carom_num::elementary::ln;
 use carom_num::sobol::MOST_DIMENSIONS;
 use carom_study::Ending;
 use carom_study::yields::{
-    NoIndices, Plan, Points, REPETITIONS, Worst, Yield, YieldError, sample, sensitivity,
+    Contrasts, NoIndices, Plan, Points, Portion, REPETITIONS, Sensitivity, Worst, Yield, YieldError, sample,
+    sensitivity,
 };
 
 /// The paper's part on two plates: a rod that turns over on the second one or does not. Five quantities vary around a place near the
@@ -50,8 +51,21 @@ fn plan(dimensions: usize, samples: u64, seed: u64, points: Points) -> Plan {
 }
 
 fn turned(plan: &Plan) -> Yield {
-    let middle = |point: &[f64]| point.iter().map(|u| (u - 0.5).powi(2)).sum::<f64>();
-    sample(plan, feeder, |run| Ending::of(run, 1) == Ending::Lies(Verdict::Turned), middle).unwrap()
+    sample(plan, feeder, turns, from_middle).unwrap()
+}
+
+fn from_middle(point: &[f64]) -> f64 {
+    point.iter().map(|u| (u - 0.5).powi(2)).sum::<f64>()
+}
+
+fn turns(run: &Run) -> bool {
+    Ending::of(run, 1) == Ending::Lies(Verdict::Turned)
+}
+
+/// A portion that turns over, sent and read.
+fn portion(plan: &Plan, number: u32, of: u32) -> Portion {
+    let counted = Portion::sampled(plan, (number, of), feeder, (turns, |_: &Run| true), from_middle).unwrap();
+    Portion::of_words(&counted.to_words()).unwrap()
 }
 
 #[test]
@@ -136,6 +150,64 @@ fn threads_change_nothing() {
     assert_eq!(passed, one.0.drops, "every drop is counted once");
     let whole: f64 = one.0.transitions.iter().map(|transition| transition.share.share).sum();
     assert!((whole - 1.0).abs() < 1e-12, "all start on one face: {whole}");
+}
+
+#[test]
+fn portions_say_together_what_one_machine_says() {
+    let decides = |point: &[f64]| point[0] + 0.5 * point[1] > 0.7;
+    for (samples, of) in [(3, 2), (300, 3), (600, 7), (2, 40)] {
+        let plan = plan(5, samples, 3, Points::Sobol);
+        // The last one is the first to come.
+        let portions: Vec<Portion> = (0..of).rev().map(|number| portion(&plan, number, of)).collect();
+        assert_eq!(Yield::of(portions).unwrap(), turned(&plan), "{samples} samples in {of} portions");
+        let contrasts = |number: u32| {
+            let counted = Contrasts::counted(&plan, 100, (number, of), decides).unwrap();
+            Contrasts::of_words(&counted.to_words()).unwrap()
+        };
+        let found = Sensitivity::of((0..of).rev().map(contrasts).collect());
+        assert_eq!(found, sensitivity(&plan, 100, decides), "what decides, in {of} portions");
+    }
+}
+
+#[test]
+fn portions_that_do_not_belong_together_are_refused() {
+    let (one, other) = (plan(5, 3, 3, Points::Sobol), plan(5, 3, 4, Points::Sobol));
+    let refused = |portions: Vec<Portion>| Yield::of(portions).unwrap_err();
+    assert_eq!(refused(vec![]), YieldError::Portions, "none");
+    assert_eq!(refused(vec![portion(&one, 0, 2)]), YieldError::Portions, "one is not there");
+    assert_eq!(refused(vec![portion(&one, 1, 2), portion(&one, 1, 2)]), YieldError::Portions, "one twice");
+    assert_eq!(refused(vec![portion(&one, 0, 2), portion(&other, 1, 2)]), YieldError::Portions, "seeds");
+    let none = Portion::sampled(&one, (2, 2), feeder, (turns, turns), from_middle);
+    assert_eq!(none.unwrap_err(), YieldError::Portion { number: 2, of: 2 });
+    let none = Contrasts::counted(&one, 64, (0, 0), |_| true);
+    assert_eq!(none.unwrap_err(), NoIndices::Portion { number: 0, of: 0 });
+    assert_eq!(Sensitivity::of(vec![]), Err(NoIndices::Portions));
+}
+
+#[test]
+fn numbers_that_are_no_portion_are_refused() {
+    let words = portion(&plan(5, 3, 3, Points::Sobol), 0, 2).to_words();
+    let counts = Contrasts::counted(&plan(5, 3, 3, Points::Sobol), 8, (0, 2), |_| true).unwrap().to_words();
+    for length in 0..words.len() {
+        assert_eq!(Portion::of_words(&words[..length]).unwrap_err(), YieldError::Unread, "{length} numbers");
+    }
+    for length in 0..counts.len() {
+        assert_eq!(
+            Contrasts::of_words(&counts[..length]).unwrap_err(),
+            NoIndices::Unread,
+            "{length} numbers"
+        );
+    }
+    // No number stands for what would break a count: whatever is changed, it is read and put together, or refused.
+    for k in 0..words.len() {
+        for wrong in [0, 1, u64::MAX, 1 << 40] {
+            let mut words = words.clone();
+            words[k] = wrong;
+            if let Ok(read) = Portion::of_words(&words) {
+                Yield::of(vec![read]).unwrap_err();
+            }
+        }
+    }
 }
 
 #[test]

@@ -2,14 +2,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
-import { after, before, test } from "node:test";
-import { FILE, browser, measured, opened } from "./lib.mjs";
-
-let chrome;
-before(async () => {
-  chrome = await browser();
-});
-after(() => chrome.close());
+import { test } from "node:test";
+import { FILE, measured, opened } from "./lib.mjs";
 
 /** What is looked at: how one comes there. */
 const PLACES = {
@@ -54,7 +48,7 @@ test("axe-core finds no violation", async () => {
   const rules = new Set();
   for (const colorScheme of ["light", "dark"]) {
     for (const [place, go] of Object.entries(PLACES)) {
-      const { page, close } = await opened(chrome, FILE, { colorScheme });
+      const { page, close } = await opened(FILE, { colorScheme });
       await go(page);
       await page.waitForTimeout(300);
       await page.evaluate(axe);

@@ -1,18 +1,8 @@
 // The bench in a real browser, from a server with a strict policy and as one file from the disk.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
-import { FILE, ROOT, browser, headline, middle, measured, opened, serve, until } from "./lib.mjs";
-
-let chrome;
-let server;
-before(async () => {
-  [chrome, server] = await Promise.all([browser(), serve()]);
-});
-after(async () => {
-  await chrome.close();
-  server.close();
-});
+import { test } from "node:test";
+import { FILE, ROOT, headline, middle, measured, opened, server, until } from "./lib.mjs";
 
 /** Drags a grip by so many pixels in small steps; `each` is called after every step and ends the drag where it answers true. */
 async function drag(page, grip, [dx, dy], steps, each = () => false) {
@@ -27,9 +17,9 @@ async function drag(page, grip, [dx, dy], steps, each = () => false) {
   await page.mouse.up();
 }
 
-for (const [form, address] of [["a server", () => server.address], ["one file on the disk", () => FILE]]) {
+for (const [form, address] of [["a server", async () => (await server()).address], ["one file on the disk", () => FILE]]) {
   test(`from ${form}: case 2 turns, its lower plate is dragged until it does not, and all is undone`, async () => {
-    const { page, complaints, close } = await opened(chrome, address());
+    const { page, complaints, close } = await opened(await address());
     assert.match(await headline(page), /^turned on “lower”/);
     const text = () => page.locator(".source textarea").inputValue();
     const first = await text();
@@ -59,7 +49,7 @@ for (const [form, address] of [["a server", () => server.address], ["one file on
   });
 
   test(`from ${form}: a value is typed with unit and tolerance, and a wrong one is told at its field`, async () => {
-    const { page, complaints, close } = await opened(chrome, address());
+    const { page, complaints, close } = await opened(await address());
     const field = page.getByLabel("slope").first();
     await field.fill("12 ± 0.5 deg");
     await field.press("Enter");
@@ -84,7 +74,7 @@ for (const [form, address] of [["a server", () => server.address], ["one file on
   });
 
   test(`from ${form}: the drawing is exported as DXF in millimetres, and the scene is a link`, async () => {
-    const { page, complaints, close } = await opened(chrome, address());
+    const { page, complaints, close } = await opened(await address());
     const [download] = await Promise.all([
       page.waitForEvent("download"),
       page.locator("#export").selectOption({ label: "Drawing, DXF" }),
@@ -99,7 +89,7 @@ for (const [form, address] of [["a server", () => server.address], ["one file on
     await page.waitForFunction(() => location.hash.startsWith("#scene="));
     await page.waitForTimeout(100);
     const link = page.url();
-    const other = await opened(chrome, link);
+    const other = await opened(link);
     assert.ok((await other.page.locator(".source textarea").inputValue()).includes("0.16"), "the link holds the scene");
     assert.deepEqual([...complaints, ...other.complaints], []);
     await other.close();
@@ -108,7 +98,7 @@ for (const [form, address] of [["a server", () => server.address], ["one file on
 }
 
 test("stages and strikes are told, and one opens in full with its impulse diagram", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await page.locator(".timeline button[data-strike='0']").click();
   await page.locator("#strike svg.impulse").waitFor();
   assert.equal(await page.locator("#clock").textContent(), "1.1450 s");
@@ -122,7 +112,7 @@ test("stages and strikes are told, and one opens in full with its impulse diagra
 });
 
 test("everything moves by the keyboard", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   const before = await page.locator(".source textarea").inputValue();
   await page.locator('[data-grip="part-middle"]').focus();
   await page.keyboard.press("ArrowLeft");
@@ -138,7 +128,7 @@ test("everything moves by the keyboard", async () => {
 });
 
 test("limits come to each quantity, and the worker that dies loses nothing", async () => {
-  const { page, close } = await opened(chrome, FILE);
+  const { page, close } = await opened(FILE);
   await page.waitForFunction(() => document.querySelectorAll(".zone").length >= 8);
   const words = await page.getByLabel(/contact friction|contact.friction/).first().getAttribute("aria-label");
   assert.match(words, /flips below 0\.055158.*flips above 0\.17633/);
@@ -155,7 +145,7 @@ test("limits come to each quantity, and the worker that dies loses nothing", asy
 });
 
 test("every example opens, and a hostile name is text", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   const names = await page.locator("#scene optgroup option").evaluateAll((all) => all.map((option) => option.value));
   assert.ok(names.length >= 18, `${names.length} examples`);
   for (const name of names) {
@@ -176,7 +166,7 @@ test("every example opens, and a hostile name is text", async () => {
 });
 
 test("plates and walls are drawn and taken away, by the pointer and by the keyboard", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   const text = () => page.locator(".source textarea").inputValue();
   const says = (words) => page.waitForFunction((words) => document.querySelector(".source textarea").value.includes(words), words);
   const paper = await page.locator("svg.scene").boundingBox();
@@ -200,7 +190,7 @@ test("plates and walls are drawn and taken away, by the pointer and by the keybo
 });
 
 test("text that is no scene is kept until it is mended or taken back, and told where it is wrong", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await page.locator(".source summary").click();
   const area = page.locator(".source textarea");
   const good = await area.inputValue();
@@ -221,7 +211,7 @@ test("text that is no scene is kept until it is mended or taken back, and told w
 });
 
 test("a slider shows what it does while it moves, keeps the focus, and stays within what is allowed", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await page.waitForFunction(() => document.querySelectorAll(".zone").length >= 8);
   const slider = page.locator('input[type="range"][aria-label^="contact.friction"]');
   await slider.focus();
@@ -246,7 +236,7 @@ test("a slider shows what it does while it moves, keeps the focus, and stays wit
 });
 
 test("a damaged link and a foreign file are told", async () => {
-  const { page, complaints, close } = await opened(chrome, `${FILE}#scene=%%%`);
+  const { page, complaints, close } = await opened(`${FILE}#scene=%%%`);
   assert.match(await page.locator(".told").textContent(), /link is damaged/);
   await page.locator("header input[type=file]").setInputFiles({ name: "part.png", mimeType: "image/png", buffer: Buffer.from("no scene") });
   await page.waitForFunction(() => document.querySelector(".told").textContent.includes("part.png is neither"));
@@ -255,7 +245,7 @@ test("a damaged link and a foreign file are told", async () => {
 });
 
 test("the part is any kind of the library, or what a file draws", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   const kinds = await page.locator("#part-kind option").count();
   for (let kind = 1; kind < kinds; kind += 1) {
     const before = await page.locator(".source textarea").inputValue();
@@ -272,7 +262,7 @@ test("the part is any kind of the library, or what a file draws", async () => {
 });
 
 test("from the pointer to the path: within a frame", async () => {
-  const { page, close } = await opened(chrome, FILE);
+  const { page, close } = await opened(FILE);
   const frames = await page.evaluate(() => {
     window.frames_ = 0;
     const count = () => { window.frames_ += 1; requestAnimationFrame(count); };
@@ -294,7 +284,7 @@ test("from the pointer to the path: within a frame", async () => {
 });
 
 test("a part is drawn by its corners", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await page.waitForTimeout(300);
   await page.locator("#draw-part").click();
   const paper = await page.locator("#player svg.layout").boundingBox();

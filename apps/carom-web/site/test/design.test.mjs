@@ -4,17 +4,11 @@ import { execFileSync } from "node:child_process";
 import { mkdtemp, readFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { CAROM, FILE, ROOT, browser, engine, headline, measured, opened, until } from "./lib.mjs";
-
-let chrome;
-before(async () => {
-  chrome = await browser();
-});
-after(() => chrome.close());
+import { test } from "node:test";
+import { CAROM, FILE, ROOT, engine, headline, measured, opened, until } from "./lib.mjs";
 
 async function designing(scene) {
-  const all = await opened(chrome, FILE);
+  const all = await opened(FILE);
   await all.page.locator("#scene").selectOption(scene);
   await all.page.waitForFunction((scene) => document.querySelector("#scene option").textContent === scene, scene);
   await all.page.locator("#tab-design").click();

@@ -1,22 +1,12 @@
 // The motion as a film that the browser records.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
-import { FILE, browser, opened, serve } from "./lib.mjs";
-
-let chrome;
-let server;
-before(async () => {
-  [chrome, server] = await Promise.all([browser(), serve()]);
-});
-after(async () => {
-  await chrome.close();
-  server.close();
-});
+import { test } from "node:test";
+import { FILE, opened, server } from "./lib.mjs";
 
 for (const name of ["case_2.toml", "roll_rod.toml", "roll_body_bolt.toml"]) {
   test(`${name} as a film`, async () => {
-    const { page, complaints, close } = await opened(chrome, server.address);
+    const { page, complaints, close } = await opened((await server()).address);
     await page.locator("#scene").selectOption(name);
     await page.waitForFunction((name) => document.querySelector("#scene option").textContent === name, name);
     await page.waitForTimeout(500);
@@ -32,7 +22,7 @@ for (const name of ["case_2.toml", "roll_rod.toml", "roll_body_bolt.toml"]) {
     assert.ok(bytes.length > 5000, `${bytes.length} bytes`);
     // It plays, and shows something else at its end than at its beginning.
     // The page's own policy lets no film in: the one from the disk has none.
-    const theatre = await opened(chrome, FILE);
+    const theatre = await opened(FILE);
     const differs = await theatre.page.evaluate(async (address) => {
       const video = document.createElement("video");
       video.muted = true;

@@ -1,16 +1,10 @@
 // The impact lab: contacts by the mouse, the walk stage by stage, every consistent outcome, laws and sharings side by side.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { FILE, browser, headline, opened, until } from "./lib.mjs";
-
-let chrome;
-before(async () => {
-  chrome = await browser();
-});
-after(() => chrome.close());
+import { test } from "node:test";
+import { FILE, headline, opened, until } from "./lib.mjs";
 
 async function impact(name) {
-  const all = await opened(chrome, FILE);
+  const all = await opened(FILE);
   await all.page.locator("#scene").selectOption(name);
   await all.page.waitForSelector("#lab");
   // The picture is as large as its room.
@@ -145,7 +139,7 @@ test("sliders write in the unit of the file, and undo keeps every step however f
 });
 
 test("an impact in space is told, stage by stage", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await page.locator("#scene").selectOption("impact_twist.toml");
   await page.waitForSelector("#lab");
   assert.match(await page.locator("#lab .over").textContent(), /In space/);

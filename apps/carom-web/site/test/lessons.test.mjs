@@ -1,13 +1,7 @@
 // Eight lessons: each asks a question, and what is done with the mouse or the keyboard answers it.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { FILE, browser, opened } from "./lib.mjs";
-
-let chrome;
-before(async () => {
-  chrome = await browser();
-});
-after(() => chrome.close());
+import { test } from "node:test";
+import { FILE, opened } from "./lib.mjs";
 
 async function value(page, path, text) {
   const field = page.locator(`[id="quantity-${path}"]`);
@@ -60,7 +54,7 @@ const ANSWERS = {
 
 for (const [id, answer] of Object.entries(ANSWERS)) {
   test(`the lesson ${id} asks, is answered, and says why`, async () => {
-    const { page, complaints, close } = await opened(chrome, `${FILE}#lesson=${id}`);
+    const { page, complaints, close } = await opened(`${FILE}#lesson=${id}`);
     await page.waitForSelector(".lesson .question");
     await page.waitForTimeout(300);
     assert.equal(await page.locator(".question.answered").count(), 0, "it is open at first");
@@ -71,7 +65,7 @@ for (const [id, answer] of Object.entries(ANSWERS)) {
     await page.waitForFunction(() => location.hash.startsWith("#scene="));
     await page.waitForTimeout(200);
     const link = page.url();
-    const other = await opened(chrome, link);
+    const other = await opened(link);
     await other.page.waitForSelector(".lesson .question");
     const text = (page) => page.locator(".source textarea").inputValue();
     assert.equal(await text(other.page), await text(page), "with what was done");
@@ -82,7 +76,7 @@ for (const [id, answer] of Object.entries(ANSWERS)) {
 }
 
 test("lessons follow each other, in large letters, and are closed", async () => {
-  const { page, close } = await opened(chrome, FILE, { viewport: { width: 1280, height: 720 } });
+  const { page, close } = await opened(FILE, { viewport: { width: 1280, height: 720 } });
   await page.locator("#lessons").selectOption("0");
   await page.waitForSelector(".lesson");
   for (let number = 2; number <= 8; number += 1) {

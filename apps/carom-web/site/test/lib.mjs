@@ -3,6 +3,7 @@ import { spawn } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, normalize } from "node:path";
+import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -18,7 +19,7 @@ const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/cs
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src data:; connect-src 'self'; worker-src blob:";
 
 /** A plain web server for the folder, as strict as a page can be served. */
-export async function serve() {
+async function serve() {
   const server = createServer(async (request, response) => {
     const path = normalize(new URL(request.url, "http://x").pathname).replace(/^\/$/, "/index.html");
     try {
@@ -33,19 +34,31 @@ export async function serve() {
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
+/** What a file of tests has once, from where it first needs it until its tests are done. */
+export function once(begin) {
+  let begun;
+  after(async () => (await begun)?.close());
+  return () => (begun ??= begin());
+}
+
+/** The plain server. */
+export const server = once(serve);
+
 /** The page as one file on the disk. */
 export const FILE = `file://${join(DIST, "single/carom-studio.html")}`;
 
-export async function browser() {
+export const browser = once(() => {
   const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
   const quiet = ["--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"];
   return chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-component-update", "--disable-sync", ...quiet] });
-}
+});
 
 /** A page that fails its test where the browser complains. */
-export async function opened(chrome, address, options = {}) {
-  const context = await chrome.newContext({ viewport: { width: 1400, height: 900 }, ...options });
+export async function opened(address, { workers, ...options } = {}) {
+  const context = await (await browser()).newContext({ viewport: { width: 1400, height: 900 }, ...options });
   const page = await context.newPage();
+  // A machine with so many cores.
+  if (workers !== undefined) await page.addInitScript((cores) => Object.defineProperty(navigator, "hardwareConcurrency", { value: cores }), workers);
   const complaints = [];
   page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(error.message));
@@ -73,6 +86,21 @@ export async function engine(name = "carom-whole.wasm") {
     const length = carom_answer();
     return JSON.parse(new TextDecoder().decode(new Uint8Array(memory.buffer, carom_place(), length)));
   };
+}
+
+/** Long work by one worker, and its answer. */
+export function shared(ask, file, study) {
+  const known = [];
+  for (;;) {
+    const asked = (what) => {
+      const answer = ask({ ...file, ask: what });
+      if (answer.failure !== undefined) throw new Error(answer.failure.message);
+      return answer;
+    };
+    known.push([asked({ portion: { study, round: known.length, number: 0, of: 1 } }).portion]);
+    const answer = asked({ joined: { study, known } });
+    if (answer.again !== true) return answer;
+  }
 }
 
 /** The median of numbers, and the value that 95 % of them do not pass. */

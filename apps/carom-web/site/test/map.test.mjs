@@ -1,16 +1,10 @@
 // The map: boundaries that sharpen, the outcome under the pointer, and the design under a click.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { FILE, browser, headline, opened, until } from "./lib.mjs";
-
-let chrome;
-before(async () => {
-  chrome = await browser();
-});
-after(() => chrome.close());
+import { test } from "node:test";
+import { FILE, headline, opened, until } from "./lib.mjs";
 
 test("a map is drawn, the outcome under the pointer is told, and a click takes that design", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await page.waitForFunction(() => document.querySelectorAll(".zone").length >= 8);
   await page.locator("#tab-map").click();
   await page.locator("#map-x").selectOption("contact.friction");

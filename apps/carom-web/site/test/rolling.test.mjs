@@ -1,16 +1,10 @@
 // Bodies that roll and rock: their motion, their strikes, and region diagrams under the cursor.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { FILE, browser, headline, opened, until } from "./lib.mjs";
-
-let chrome;
-before(async () => {
-  chrome = await browser();
-});
-after(() => chrome.close());
+import { test } from "node:test";
+import { FILE, headline, opened, until } from "./lib.mjs";
 
 async function roll(name) {
-  const all = await opened(chrome, FILE);
+  const all = await opened(FILE);
   await all.page.locator("#scene").selectOption(name);
   await all.page.waitForFunction((name) => document.querySelector("#scene option").textContent === name, name);
   return all;

@@ -1,21 +1,13 @@
 // `carom studio` in a real browser: its own page works under its policy, and a foreign page gets nothing.
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
-import { after, before, test } from "node:test";
-import { browser, headline, opened, studio, until } from "./lib.mjs";
+import { test } from "node:test";
+import { browser, headline, once, opened, studio, until } from "./lib.mjs";
 
-let chrome;
-let served;
-before(async () => {
-  [chrome, served] = await Promise.all([browser(), studio(["examples/bracket.toml"])]);
-});
-after(async () => {
-  await chrome.close();
-  served.close();
-});
+const served = once(() => studio(["examples/bracket.toml"]));
 
 test("the scene that was named opens, with the file that draws its part", async () => {
-  const { page, complaints, close } = await opened(chrome, served.address);
+  const { page, complaints, close } = await opened((await served()).address);
   assert.equal(await page.locator("#scene").evaluate((select) => select.selectedOptions[0].textContent), "bracket.toml");
   assert.notEqual(await headline(page), "");
   assert.ok(!page.url().includes("token"), "the token does not stay in the address");
@@ -28,10 +20,10 @@ test("the scene that was named opens, with the file that draws its part", async 
 test("a foreign page cannot read the scene, with the token or without", async () => {
   const foreign = createServer((_, response) => response.setHeader("Content-Type", "text/html").end("<p>elsewhere</p>"));
   await new Promise((done) => foreign.listen(0, "127.0.0.1", done));
-  const context = await chrome.newContext();
+  const context = await (await browser()).newContext();
   const page = await context.newPage();
   await page.goto(`http://127.0.0.1:${foreign.address().port}/`);
-  const [base, token] = served.address.split("#token=");
+  const [base, token] = (await served()).address.split("#token=");
   const read = await page.evaluate(
     async ([base, token]) => {
       const tried = [];

@@ -1,18 +1,12 @@
 // How surely: the yield with its interval, the drops to look at, and work that can be stopped.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { promisify } from "node:util";
-import { CAROM, FILE, ROOT, browser, measured, opened, until } from "./lib.mjs";
+import { CAROM, FILE, ROOT, measured, opened, until } from "./lib.mjs";
 
-let chrome;
-before(async () => {
-  chrome = await browser();
-});
-after(() => chrome.close());
-
-async function designer() {
-  const page = await opened(chrome, FILE);
+async function designer(options) {
+  const page = await opened(FILE, options);
   await page.page.locator("#scene").selectOption("designer.toml");
   await page.page.waitForFunction(() => document.querySelector("#scene").selectedOptions[0].textContent === "designer.toml");
   await page.page.locator("#tab-surely").click();
@@ -37,6 +31,25 @@ test("the yield is the command's, and a drop to look at is one click away", asyn
   await close();
 });
 
+test("several workers say what one says, and are faster", async () => {
+  const found = async (workers) => {
+    const { page, complaints, close } = await designer({ workers });
+    await page.locator("#samples").selectOption("16384");
+    const began = await page.evaluate(() => performance.now());
+    await page.locator("#sample").click();
+    await page.waitForFunction(() => document.querySelector(".surely [role=status]").textContent === "16384 drops");
+    const seconds = ((await page.evaluate(() => performance.now())) - began) / 1e3;
+    const html = await page.locator(".surely > div:last-child").innerHTML();
+    assert.deepEqual(complaints, []);
+    await close();
+    return { html, seconds };
+  };
+  const [one, two, five] = [await found(1), await found(2), await found(5)];
+  measured(`a yield of 16384 drops, with the smaller ones before it, in ${one.seconds.toFixed(1)} s by one worker and ${two.seconds.toFixed(1)} s by two: ${(one.seconds / two.seconds).toFixed(2)} times as fast`);
+  assert.equal(two.html, one.html, "two workers");
+  assert.equal(five.html, one.html, "five workers");
+});
+
 test("long work stops at once", async () => {
   const { page, complaints, close } = await designer();
   await page.locator("#samples").selectOption("262144");
@@ -44,8 +57,8 @@ test("long work stops at once", async () => {
   await page.locator(".surely .headline").waitFor();
   const waited = await page.evaluate(async () => {
     const began = performance.now();
-    document.querySelector("#stop").click();
-    while (document.querySelector("#stop") !== null) await new Promise((done) => requestAnimationFrame(done));
+    document.querySelector("#sample-stop").click();
+    while (document.querySelector("#sample-stop") !== null) await new Promise((done) => requestAnimationFrame(done));
     return performance.now() - began;
   });
   measured(`long work stops within ${waited.toFixed(0)} ms`);
@@ -55,7 +68,7 @@ test("long work stops at once", async () => {
 });
 
 test("a scene without tolerances is told what to write", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await until(page, "turned");
   await page.locator("#tab-surely").click();
   await page.locator("#sample").click();
@@ -66,7 +79,7 @@ test("a scene without tolerances is told what to write", async () => {
 });
 
 test("tolerances are set in one table, and the yield is of these", async () => {
-  const { page, complaints, close } = await opened(chrome, FILE);
+  const { page, complaints, close } = await opened(FILE);
   await until(page, "turned");
   await page.locator("#tab-surely").click();
   const tolerance = page.getByLabel("tolerance of plate.upper.slope");

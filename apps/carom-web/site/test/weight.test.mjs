@@ -3,20 +3,10 @@ import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { readFile, stat } from "node:fs/promises";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { promisify } from "node:util";
 import { gzipSync } from "node:zlib";
-import { CAROM, DIST, ROOT, browser, engine, measured, opened, serve } from "./lib.mjs";
-
-let chrome;
-let server;
-before(async () => {
-  [chrome, server] = await Promise.all([browser(), serve()]);
-});
-after(async () => {
-  await chrome.close();
-  server.close();
-});
+import { CAROM, DIST, ROOT, engine, measured, opened, server, shared } from "./lib.mjs";
 
 test("what a browser loads", async () => {
   const packed = async (name) => gzipSync(await readFile(join(DIST, "site", name)), { level: 9 }).length;
@@ -28,7 +18,7 @@ test("what a browser loads", async () => {
 });
 
 test("how soon it shows", async () => {
-  const { page, close } = await opened(chrome, server.address);
+  const { page, close } = await opened((await server()).address);
   const [paint, verdict] = await page.evaluate(() => [
     performance.getEntriesByName("first-contentful-paint")[0].startTime,
     performance.getEntriesByName("carom-first-verdict")[0].startTime,
@@ -44,8 +34,7 @@ test("drops a second in one worker and by the command on one thread, of one scen
   const samples = 16384;
   const inPage = () => {
     const began = performance.now();
-    const answer = ask({ name, text, ask: { study: { yield: { samples, seed: 1 } } } });
-    assert.equal(answer.failure, undefined);
+    shared(ask, { name, text }, { yield: { samples, seed: 1 } });
     return performance.now() - began;
   };
   inPage();

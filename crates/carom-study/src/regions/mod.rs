@@ -243,6 +243,47 @@ pub fn find<L: Label>(
     find_between([x, y], options, vec![], &classify)
 }
 
+/// Asks the classifier what [`find`] asks it about a band of the plane: `number` of `of` bands of rows, from 0, from the lowest ordinate up.
+/// Who keeps the answers of all bands, one machine each, need not ask again: [`find`] then asks for little more, at the seams.
+///
+/// # Errors
+/// As [`find`]. A band that there is not asks for nothing.
+///
+/// # Example
+/// ```
+/// use carom_study::regions::{Options, Range, explore, find};
+/// use std::{collections::BTreeSet, sync::Mutex};
+/// let (side, options) = (Range { from: -2.0, to: 2.0, count: 16 }, Options::default());
+/// let asked = Mutex::new(BTreeSet::new());
+/// for number in 0..2 {
+///     explore([side, side], &options, (number, 2), |x, y| {
+///         asked.lock().unwrap().insert((x.to_bits(), y.to_bits()));
+///         x * x + y * y < 1.0
+///     })?;
+/// }
+/// let known = asked.into_inner().unwrap();
+/// let anew = Mutex::new(0);
+/// let found = find(side, side, &options, |x, y| {
+///     *anew.lock().unwrap() += usize::from(!known.contains(&(x.to_bits(), y.to_bits())));
+///     x * x + y * y < 1.0
+/// })?;
+/// assert!(found.evaluations > 1000 && *anew.lock().unwrap() < 10);
+/// # Ok::<(), carom_study::regions::RegionsError>(())
+/// ```
+pub fn explore<L: Label>(
+    [x, y]: [Range; 2],
+    options: &Options,
+    (number, of): (u32, u32),
+    classify: impl Fn(f64, f64) -> L + Sync,
+) -> Result<(), RegionsError> {
+    check(x, y, options)?;
+    let mut lattice = lattice::Lattice::new([x, y], options, &classify);
+    let row = |number: u32| y.count * number.min(of) as usize / of.max(1) as usize;
+    let leaves = refine::leaves(&mut lattice, row(number)..row(number.saturating_add(1)));
+    refine::draw(&mut lattice, &leaves);
+    Ok(())
+}
+
 /// The nodes of the grid, row by row from the lowest ordinate up, in units of the axes.
 pub(crate) fn nodes(ranges: [Range; 2]) -> impl Iterator<Item = [f64; 2]> {
     let [x, y] = ranges;
@@ -261,7 +302,7 @@ pub(crate) fn find_between<L: Label>(
     let mut lattice = lattice::Lattice::new([x, y], options, classify);
     lattice.know(known);
     let places = patch::places(&mut lattice);
-    let leaves = refine::leaves(&mut lattice);
+    let leaves = refine::leaves(&mut lattice, 0..y.count);
     let drawn = refine::draw(&mut lattice, &leaves);
     let counts = patch::counts(&mut lattice);
     let crowded = drawn.crowded as f64 / (lattice.steps[0] * lattice.steps[1]) as f64;

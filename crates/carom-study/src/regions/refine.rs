@@ -3,8 +3,9 @@
 use super::cell::{Around, Cell, Run, divide};
 use super::junction::Window;
 use super::lattice::{Lattice, Side};
-use super::{Junction, Label, Patch, Range};
+use super::{Junction, Label, Patch};
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// What a line through a cell joins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -31,11 +32,11 @@ pub(super) struct Drawn<L> {
     pub(super) crowded: usize,
 }
 
-/// Halves cells until each holds one line at most, or is as small as allowed.
-pub(super) fn leaves<L: Label>(lattice: &mut Lattice<'_, L>) -> BTreeSet<Cell> {
+/// Halves the cells of these rows until each holds one line at most, or is as small as allowed.
+pub(super) fn leaves<L: Label>(lattice: &mut Lattice<'_, L>, rows: Range<usize>) -> BTreeSet<Cell> {
     let size = lattice.coarse;
-    let [columns, rows] = lattice.steps.map(|steps| steps / size);
-    let cells = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+    let columns = lattice.steps[0] / size;
+    let cells = rows.flat_map(|j| (0..columns).map(move |i| (i, j)));
     let mut leaves: BTreeSet<Cell> =
         cells.map(|(i, j)| Cell { row: j * size, column: i * size, size }).collect();
     loop {
@@ -158,7 +159,7 @@ fn meet<L: Label>(lattice: &mut Lattice<'_, L>, window: Window, runs: Vec<Run<L>
 /// The number of a junction; one that a neighbouring cell has found already keeps its own.
 fn register<L: Copy + Ord>(
     junction: Junction<L>,
-    ranges: [Range; 2],
+    ranges: [super::Range; 2],
     same: f64,
     drawn: &mut Drawn<L>,
 ) -> usize {

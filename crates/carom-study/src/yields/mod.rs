@@ -6,6 +6,7 @@
 
 mod estimate;
 mod histogram;
+mod portion;
 mod recirculation;
 mod sensitivity;
 mod tally;
@@ -13,22 +14,18 @@ mod tally;
 pub use estimate::{Estimate, REPETITIONS, Spread};
 pub(crate) use estimate::{FEW, wilson};
 pub use histogram::Histogram;
+pub use portion::Portion;
 pub use recirculation::Recirculation;
-pub use sensitivity::{NoIndices, Sensitivity, sensitivity};
+pub use sensitivity::{Contrasts, NoIndices, Sensitivity, sensitivity};
 pub use tally::{PlateSpread, Transition, Worst};
 
-use crate::ending::{Dropped, Ending};
+use crate::ending::Ending;
 use carom_feeder::{Feeder, Run};
-use carom_motion::planar::Options;
 use carom_num::sobol::{MOST_DIMENSIONS, Sobol, random};
-use rayon::prelude::*;
-use tally::Tally;
 use thiserror::Error;
 
 /// Most samples of a repetition: 2³⁰.
 const MOST_DIGITS: u32 = 30;
-/// Samples that one thread takes at once.
-const CHUNK: u64 = 256;
 
 /// Where the points of a sampling come from.
 ///
@@ -103,6 +100,20 @@ pub enum YieldError {
         /// How many there may be.
         most: u64,
     },
+    /// A share of the work that there is not.
+    #[error("portion {number} of {of}: they are numbered from 0")]
+    Portion {
+        /// Its number.
+        number: u32,
+        /// Of how many.
+        of: u32,
+    },
+    /// Numbers that no [`Portion`] gave.
+    #[error("these numbers are no portion of a sampling")]
+    Unread,
+    /// Portions of different samplings, or not all of one.
+    #[error("these are not all portions of one sampling, each once")]
+    Portions,
 }
 
 /// What a sampling found.
@@ -243,47 +254,5 @@ pub fn sample_within(
     (wanted, keeps): (impl Fn(&Run) -> bool + Sync, impl Fn(&Run) -> bool + Sync),
     distance: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Result<Yield, YieldError> {
-    sampled(plan, &feeder, (&wanted, &keeps), &distance)
-}
-
-/// Says something of a run.
-type Judge<'a> = &'a (dyn Fn(&Run) -> bool + Sync);
-
-fn sampled(
-    plan: &Plan,
-    feeder: &(dyn Fn(&[f64]) -> Option<Feeder> + Sync),
-    (wanted, keeps): (Judge<'_>, Judge<'_>),
-    distance: &(dyn Fn(&[f64]) -> f64 + Sync),
-) -> Result<Yield, YieldError> {
-    plan.check()?;
-    let samples = plan.rounded();
-    let mut whole = Tally::new(plan);
-    for repetition in 0..REPETITIONS {
-        let Some(points) = plan.points(repetition) else { continue };
-        // Parts of a fixed size, put together in their order: the number of threads changes nothing.
-        let chunks: Vec<u64> = (0..samples.div_ceil(CHUNK)).collect();
-        let tallies: Vec<Tally> = chunks
-            .par_iter()
-            .map(|chunk| {
-                let mut tally = Tally::new(plan);
-                for number in chunk * CHUNK..((chunk + 1) * CHUNK).min(samples) {
-                    let point = points(number);
-                    let feeder = feeder(&point);
-                    let dropped = Dropped::of(feeder.as_ref(), plan.plate, &Options::default());
-                    let good = dropped.run.as_ref().is_some_and(wanted);
-                    tally.add(repetition, (&point, distance(&point)), &dropped, good);
-                    tally.add_faces(
-                        repetition,
-                        feeder.as_ref().map(|f| f.start.face),
-                        &dropped,
-                        (plan.plate, good),
-                    );
-                    tally.keep(repetition, good && dropped.run.as_ref().is_some_and(keeps));
-                }
-                tally
-            })
-            .collect();
-        tallies.into_iter().for_each(|tally| whole.take(tally));
-    }
-    Ok(whole.summed_up(samples))
+    Yield::of(vec![Portion::sampled(plan, (0, 1), feeder, (wanted, keeps), distance)?])
 }

@@ -1,7 +1,9 @@
 //! A loop that throws the rejected parts back: on which faces they start when it has run for long.
 
 use super::estimate::{Estimate, REPETITIONS};
+use crate::packed::Packed;
 use std::collections::{BTreeMap, BTreeSet};
+use std::slice::Iter;
 
 /// Passes after which the loop is as it will stay, unless it goes on for ever without a part that leaves.
 const MOST_PASSES: usize = 100_000;
@@ -17,6 +19,26 @@ pub(super) enum Pass {
     Back(usize),
     /// It comes to lie on no face: a new part takes its place.
     Lost,
+}
+
+impl Packed for Pass {
+    fn pack(&self, words: &mut Vec<u64>) {
+        let (kind, face): (u64, usize) = match self {
+            Self::Leaves => (0, 0),
+            Self::Lost => (1, 0),
+            Self::Back(face) => (2, *face),
+        };
+        (kind, face).pack(words);
+    }
+
+    fn unpack(words: &mut Iter<'_, u64>) -> Option<Self> {
+        match <(u64, usize)>::unpack(words)? {
+            (0, 0) => Some(Self::Leaves),
+            (1, 0) => Some(Self::Lost),
+            (2, face) => Some(Self::Back(face)),
+            _ => None,
+        }
+    }
 }
 
 /// How many drops pass how, by the face on which they start.

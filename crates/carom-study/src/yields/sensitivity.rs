@@ -3,7 +3,9 @@
 //! Source: I. M. Sobol', Mathematics and Computers in Simulation 55 (2001) 271, for the indices; M. J. W. Jansen, Computer Physics
 //! Communications 117 (1999) 35, for the estimators.
 
+use super::portion::Whose;
 use super::{Plan, Points};
+use crate::packed::{Packed, packed};
 use carom_num::sobol::{MOST_DIMENSIONS, Sobol, random};
 use rayon::prelude::*;
 use thiserror::Error;
@@ -57,6 +59,20 @@ pub enum NoIndices {
     /// Without one of the scrambles nothing varies that could be explained.
     #[error("all drops that were sampled for it end alike")]
     Alike,
+    /// A share of the work that there is not.
+    #[error("portion {number} of {of}: they are numbered from 0")]
+    Portion {
+        /// Its number.
+        number: u32,
+        /// Of how many.
+        of: u32,
+    },
+    /// Numbers that no [`Contrasts`] gave.
+    #[error("these numbers are no portion of a study of what decides")]
+    Unread,
+    /// Portions of different studies, or not all of one.
+    #[error("these are not all portions of one study of what decides, each once")]
+    Portions,
 }
 
 /// Does a drop end as wanted at two points, and at the first with one coordinate of the second?
@@ -100,49 +116,127 @@ pub fn sensitivity(
     samples: u64,
     good: impl Fn(&[f64]) -> bool + Sync,
 ) -> Result<Vec<Sensitivity>, NoIndices> {
-    sensitivities(plan, samples, &good)
+    Sensitivity::of(vec![Contrasts::counted(plan, samples, (0, 1), good)?])
 }
 
-fn sensitivities(
-    plan: &Plan,
-    samples: u64,
-    good: &(dyn Fn(&[f64]) -> bool + Sync),
-) -> Result<Vec<Sensitivity>, NoIndices> {
-    let dimensions = plan.dimensions;
-    let unknown = NoIndices::Dimensions { found: dimensions };
-    if 2 * dimensions > MOST_DIMENSIONS || dimensions == 0 {
-        return Err(unknown);
+/// One portion of the drops that [`sensitivity`] asks for: how many differ by what. As whole numbers they can be sent to where all portions
+/// are put together.
+///
+/// # Example
+/// Two machines ask half of the drops each.
+/// ```
+/// use carom_study::yields::{Contrasts, Plan, Points, Sensitivity, sensitivity};
+/// let plan = Plan { dimensions: 2, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
+/// let good = |u: &[f64]| u[0] + 0.5 * u[1] < 0.7;
+/// let sent = Contrasts::counted(&plan, 64, (0, 2), good)?.to_words();
+/// let own = Contrasts::counted(&plan, 64, (1, 2), good)?;
+/// let found = Sensitivity::of(vec![own, Contrasts::of_words(&sent)?])?;
+/// assert_eq!(found, sensitivity(&plan, 64, good)?);
+/// # Ok::<(), carom_study::yields::NoIndices>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Contrasts {
+    whose: Whose,
+    /// Scramble by scramble.
+    all: Vec<Counts>,
+}
+
+packed!(Counts { good, differ });
+packed!(Contrasts { whose, all });
+
+impl Contrasts {
+    /// Asks a portion of the drops: `number` of `of` portions, from 0. All else as in [`sensitivity`].
+    ///
+    /// # Errors
+    /// [`NoIndices`]: too many quantities, a number that is not below `of`.
+    pub fn counted(
+        plan: &Plan,
+        samples: u64,
+        (number, of): (u32, u32),
+        good: impl Fn(&[f64]) -> bool + Sync,
+    ) -> Result<Self, NoIndices> {
+        Self::check(plan)?;
+        if number >= of {
+            return Err(NoIndices::Portion { number, of });
+        }
+        let whose = Whose { plan: *plan, samples: rounded(samples), number, of };
+        let all = (0..SCRAMBLES).map(|scramble| Counts::counted(&whose, scramble, &good)).collect();
+        Ok(Self { whose, all })
     }
-    let samples = samples.div_ceil(SCRAMBLES).next_power_of_two();
-    let mut all = vec![];
-    for scramble in 0..SCRAMBLES {
-        let seed = (plan.seed ^ 0x5e75_1717).wrapping_mul(SCRAMBLES).wrapping_add(scramble);
-        let sobol = Sobol::new(2 * dimensions, seed).ok_or(unknown)?;
-        let both = |number: u64| match plan.points {
-            Points::Sobol => sobol.point(number),
-            Points::Random => (0..2 * dimensions).map(|d| random(seed, number, d)).collect(),
+
+    /// Whether the quantities of a plan can be told apart.
+    ///
+    /// # Errors
+    /// [`NoIndices::Dimensions`]: none varies, or too many.
+    pub fn check(plan: &Plan) -> Result<(), NoIndices> {
+        let found = plan.dimensions;
+        let few = (1..=MOST_DIMENSIONS / 2).contains(&found);
+        if few { Ok(()) } else { Err(NoIndices::Dimensions { found }) }
+    }
+
+    /// How many drops of all portions together are asked for.
+    pub fn drops(plan: &Plan, samples: u64) -> u64 {
+        rounded(samples) * SCRAMBLES * (plan.dimensions as u64 + 2)
+    }
+
+    /// The counts as whole numbers.
+    pub fn to_words(&self) -> Vec<u64> {
+        let mut words = vec![];
+        self.pack(&mut words);
+        words
+    }
+
+    /// The counts that [`Contrasts::to_words`] gave.
+    ///
+    /// # Errors
+    /// [`NoIndices::Unread`]: numbers that are no portion.
+    pub fn of_words(words: &[u64]) -> Result<Self, NoIndices> {
+        let read = Self::unpack_all(words).filter(|portion| {
+            let Whose { plan, number, of, .. } = portion.whose;
+            let dimensions = |counts: &Counts| counts.differ.len() == plan.dimensions;
+            portion.all.len() as u64 == SCRAMBLES && portion.all.iter().all(dimensions) && number < of
+        });
+        read.ok_or(NoIndices::Unread)
+    }
+}
+
+/// Samples of a scramble, as they are taken.
+fn rounded(samples: u64) -> u64 {
+    samples.div_ceil(SCRAMBLES).next_power_of_two()
+}
+
+impl Sensitivity {
+    /// What all portions of a study say together: a pair of indices for each quantity.
+    ///
+    /// # Errors
+    /// [`NoIndices`]: nothing to explain; portions of different studies, one twice, or not all of them.
+    pub fn of(mut portions: Vec<Contrasts>) -> Result<Vec<Self>, NoIndices> {
+        if !Whose::order(&mut portions, |portion| &portion.whose) {
+            return Err(NoIndices::Portions);
+        }
+        let Whose { plan, samples, .. } = portions[0].whose;
+        let mut all = vec![Counts::none(plan.dimensions); SCRAMBLES as usize];
+        for portion in &portions {
+            all.iter_mut().zip(&portion.all).for_each(|(whole, more)| whole.take(more));
+        }
+        let drops = (samples * SCRAMBLES) as f64;
+        let whole = indices(&all, None, drops).ok_or(NoIndices::Alike)?;
+        let without: Option<Vec<_>> =
+            (0..all.len()).map(|left_out| indices(&all, Some(left_out), drops - samples as f64)).collect();
+        let without = without.ok_or(NoIndices::Alike)?;
+        let error =
+            |i: usize, which: usize| half_width(&without.iter().map(|one| one[i][which]).collect::<Vec<_>>());
+        // No difference among all drops does not say that there is none: up to three in as many are likely.
+        let good = all.iter().map(|one| one.good).sum::<u64>() as f64 / (2.0 * drops);
+        let none_seen = 3.0 / (2.0 * drops * good * (1.0 - good));
+        let of = |(i, [first, total]): (usize, &[f64; 2])| Self {
+            first: *first,
+            first_error: error(i, 0),
+            total: *total,
+            total_error: if *total == 0.0 { none_seen } else { error(i, 1) },
         };
-        let asked: Vec<Asked> =
-            (0..samples).into_par_iter().map(|number| Asked::of(&both(number), good)).collect();
-        all.push(Counts::of(&asked, dimensions));
+        Ok(whole.iter().enumerate().map(of).collect())
     }
-    let drops = (samples * SCRAMBLES) as f64;
-    let whole = indices(&all, None, drops).ok_or(NoIndices::Alike)?;
-    let without: Option<Vec<_>> =
-        (0..all.len()).map(|left_out| indices(&all, Some(left_out), drops - samples as f64)).collect();
-    let without = without.ok_or(NoIndices::Alike)?;
-    let error =
-        |i: usize, which: usize| half_width(&without.iter().map(|one| one[i][which]).collect::<Vec<_>>());
-    // No difference among all drops does not say that there is none: up to three in as many are likely.
-    let good = all.iter().map(|one| one.good).sum::<u64>() as f64 / (2.0 * drops);
-    let none_seen = 3.0 / (2.0 * drops * good * (1.0 - good));
-    let of = |(i, [first, total]): (usize, &[f64; 2])| Sensitivity {
-        first: *first,
-        first_error: error(i, 0),
-        total: *total,
-        total_error: if *total == 0.0 { none_seen } else { error(i, 1) },
-    };
-    Ok(whole.iter().enumerate().map(of).collect())
 }
 
 impl Asked {
@@ -158,12 +252,40 @@ impl Asked {
 }
 
 impl Counts {
-    fn of(asked: &[Asked], dimensions: usize) -> Self {
-        let count = |which: &dyn Fn(&Asked) -> bool| asked.iter().filter(|one| which(one)).count() as u64;
-        let differ = |i: usize| [count(&|one| one.b != one.mixed[i]), count(&|one| one.a != one.mixed[i])];
-        Self {
-            good: count(&|one| one.a) + count(&|one| one.b),
-            differ: (0..dimensions).map(differ).collect(),
+    fn none(dimensions: usize) -> Self {
+        Self { good: 0, differ: vec![[0; 2]; dimensions] }
+    }
+
+    /// A portion's drops of one scramble.
+    fn counted(whose: &Whose, scramble: u64, good: &(dyn Fn(&[f64]) -> bool + Sync)) -> Self {
+        let Plan { dimensions, seed, points, .. } = whose.plan;
+        let seed = (seed ^ 0x5e75_1717).wrapping_mul(SCRAMBLES).wrapping_add(scramble);
+        let none = Self::none(dimensions);
+        let Some(sobol) = Sobol::new(2 * dimensions, seed) else { return none };
+        let both = |number: u64| match points {
+            Points::Sobol => sobol.point(number),
+            Points::Random => (0..2 * dimensions).map(|d| random(seed, number, d)).collect(),
+        };
+        let one = |number: u64| Self::of(&Asked::of(&both(number), good));
+        let together = |mut a: Self, b: Self| {
+            a.take(&b);
+            a
+        };
+        // Sums of whole numbers: their order does not matter.
+        whose.share(whose.samples).into_par_iter().map(one).reduce(|| none.clone(), together)
+    }
+
+    fn of(asked: &Asked) -> Self {
+        let differ =
+            asked.mixed.iter().map(|mixed| [u64::from(asked.b != *mixed), u64::from(asked.a != *mixed)]);
+        Self { good: u64::from(asked.a) + u64::from(asked.b), differ: differ.collect() }
+    }
+
+    fn take(&mut self, more: &Self) {
+        self.good += more.good;
+        for (own, more) in self.differ.iter_mut().zip(&more.differ) {
+            own[0] += more[0];
+            own[1] += more[1];
         }
     }
 }

@@ -4,6 +4,7 @@ use super::estimate::{Estimate, REPETITIONS, Spread};
 use super::recirculation::{Pass, Passes, Recirculation};
 use super::{Plan, Yield};
 use crate::ending::{Dropped, Ending};
+use crate::packed::packed;
 use carom_feeder::{Landing, Verdict};
 use std::collections::BTreeMap;
 
@@ -90,6 +91,10 @@ struct Noted {
     sliding_speed: Vec<f64>,
     flat: Vec<f64>,
 }
+
+packed!(Noted { impact_speed, sliding_speed, flat });
+packed!(Near { distance, point, impact_speed, among });
+packed!(Tally { wanted, kept, endings, transitions, passes, plates, time, near, hardest, drops });
 
 impl Noted {
     fn take(&mut self, mut other: Self) {
@@ -277,6 +282,11 @@ impl Tally {
         {
             self.hardest = Some((ending, near));
         }
+    }
+
+    /// True of the counts of a feeder with so many plates.
+    pub(super) fn fits(&self, plates: usize) -> bool {
+        self.plates.len() == plates
     }
 
     /// What the counts say.

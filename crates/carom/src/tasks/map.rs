@@ -1,11 +1,11 @@
 //! How a drop of a scene ends over two of its quantities: the study of `carom map`.
 
-use carom_feeder::Verdict;
+use carom_feeder::{Feeder, Verdict};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions, regions_svg};
 use carom_scene::unit::Unit;
 use carom_scene::{Problems, Scene, Want, labelled};
 use carom_study::Ending;
-use carom_study::map::{Map, draw};
+use carom_study::map::{Map, Node, draw_knowing, explore};
 use carom_study::regions::{Options, Range, RegionsError};
 use carom_words::{part, study};
 
@@ -55,7 +55,7 @@ impl MapAxis {
 /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
 /// let axis = |path: &str, from, to| MapAxis { path: path.to_owned(), range: Range { from, to, count: 6 }, unit: None };
 /// let axes = [axis("contact.friction", 0.05, 0.17), axis("contact.restitution", 0.0, 0.4)];
-/// let map = OutcomeMap::drawn(&scene, 1, axes, Options::default(), || {}).unwrap();
+/// let map = OutcomeMap::drawn(&scene, 1, axes, Options::default(), &[], || {}).unwrap();
 /// assert!(map.map.drops > 36 && map.svg().contains("how a drop ends"));
 /// # Ok::<(), carom::Error>(())
 /// ```
@@ -89,7 +89,7 @@ pub enum MapError {
 }
 
 impl<'s> OutcomeMap<'s> {
-    /// Drops over the plane; `step` is called after each.
+    /// Drops over the plane, but for those that are known from [`OutcomeMap::explored`]; `step` is called after each.
     ///
     /// # Errors
     /// See [`MapError`].
@@ -98,15 +98,28 @@ impl<'s> OutcomeMap<'s> {
         plate: usize,
         axes: [MapAxis; 2],
         options: Options,
+        known: &[Node],
         step: impl Fn() + Sync,
     ) -> Result<Self, MapError> {
-        let variants = scene.variants(&[axes[0].path.as_str(), axes[1].path.as_str()])?;
-        let feeder = |x: f64, y: f64| {
-            step();
-            variants.feeder(&[axes[0].si(x), axes[1].si(y)]).ok()
-        };
-        let map = draw(axes[0].range, axes[1].range, &options, plate, feeder)?;
+        let feeder = feeder(scene, &axes, step)?;
+        let map = draw_knowing(axes.each_ref().map(|axis| axis.range), &options, plate, feeder, known)?;
         Ok(Self { scene, plate, axes, map })
+    }
+
+    /// The drops of one band of the plane, `number` of `of` from 0, for a machine of its own; `step` is called after each.
+    ///
+    /// # Errors
+    /// See [`MapError`].
+    pub fn explored(
+        scene: &Scene,
+        plate: usize,
+        axes: &[MapAxis; 2],
+        options: Options,
+        band: (u32, u32),
+        step: impl Fn() + Sync,
+    ) -> Result<Vec<Node>, MapError> {
+        let feeder = feeder(scene, axes, step)?;
+        Ok(explore(axes.each_ref().map(|axis| axis.range), &options, plate, band, feeder)?)
     }
 
     /// The picture, by itself.
@@ -166,6 +179,20 @@ impl<'s> OutcomeMap<'s> {
         let words = study::ending(ending);
         if wanted == Some(ending) { format!("{words}, as wanted") } else { words }
     }
+}
+
+/// The feeder at a point of the plane; `step` is called for each.
+fn feeder<'s>(
+    scene: &'s Scene,
+    axes: &[MapAxis; 2],
+    step: impl Fn() + Sync,
+) -> Result<impl Fn(f64, f64) -> Option<Feeder> + Sync, Problems> {
+    let variants = scene.variants(&[axes[0].path.as_str(), axes[1].path.as_str()])?;
+    let [across, up] = axes.clone();
+    Ok(move |x: f64, y: f64| {
+        step();
+        variants.feeder(&[across.si(x), up.si(y)]).ok()
+    })
 }
 
 /// How an ending is written on a map.

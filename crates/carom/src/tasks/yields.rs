@@ -10,11 +10,10 @@ use carom_motion::planar::Options;
 use carom_scene::{Scene, Varied};
 use carom_study::design::Limits;
 use carom_study::yields::{
-    Plan, Points, REPETITIONS, Sensitivity, Worst, Yield, YieldError, sample_within, sensitivity,
+    Contrasts, NoIndices, Plan, Points, Portion, REPETITIONS, Sensitivity, Worst, Yield, YieldError,
 };
 use carom_study::{Dropped, Ending};
 use carom_words::{part, study};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Samples of a Sobol index, for so many samples of the yield.
 const OF_SAMPLES: u64 = 8;
@@ -81,46 +80,87 @@ impl<'s> YieldStudy<'s> {
     /// # Errors
     /// A plan that cannot be followed.
     pub fn sampled(varied: &'s Varied<'s>, plan: Plan, step: impl Fn() + Sync) -> Result<Self, YieldError> {
+        Self::of(varied, vec![Self::portion(varied, &plan, (0, 1), step)?])
+    }
+
+    /// One portion of the drops that are planned, `number` of `of` from 0, for a machine of its own; `step` is called after each drop.
+    ///
+    /// # Errors
+    /// A plan that cannot be followed, a portion that there is not.
+    pub fn portion(
+        varied: &Varied<'_>,
+        plan: &Plan,
+        number_of: (u32, u32),
+        step: impl Fn() + Sync,
+    ) -> Result<Portion, YieldError> {
         let scene = varied.scene();
-        let middle = Dropped::of(Some(scene.feeder()), plan.plate, &Options::default()).ending;
+        let middle = middle(scene, plan);
         let met = |run: &Run| met(scene, plan.plate, middle, run);
-        let limits = scene.design().map(|design| design.limits()).filter(Limits::are_of_drops);
+        let limits = limits(scene);
         let keeps = |run: &Run| limits.is_none_or(|limits| limits.keeps(run));
         let feeder = |point: &[f64]| {
             step();
             varied.feeder(point)
         };
-        let found = sample_within(&plan, feeder, (met, keeps), |point| varied.distance(point))?;
-        let deciders = Err(too_few(&found).unwrap_or_else(|| "it was not asked".to_owned()));
+        Portion::sampled(plan, number_of, feeder, (met, keeps), |point| varied.distance(point))
+    }
+
+    /// What all portions of the drops say together.
+    ///
+    /// # Errors
+    /// Portions of different studies, one twice, or not all of them.
+    pub fn of(varied: &'s Varied<'s>, portions: Vec<Portion>) -> Result<Self, YieldError> {
+        let scene = varied.scene();
+        let plan = *portions.first().ok_or(YieldError::Portions)?.plan();
+        if plan.dimensions != varied.dimensions() || plan.plates != scene.feeder().plates.len() {
+            return Err(YieldError::Portions);
+        }
+        let found = Yield::of(portions)?;
+        let deciders = Err(undecided(&plan, &found).unwrap_or_else(|| "it was not asked".to_owned()));
         let (laws, drops) = (laws(scene.feeder(), plan.plate), found.drops as usize);
+        let (middle, limits) = (middle(scene, &plan), limits(scene));
         Ok(Self { scene, varied, plan, middle, limits, found, deciders, laws, drops })
     }
 
-    /// How many more drops it takes to say what decides; none where too few samples end the rarer way.
+    /// How many more drops it takes to say what decides; none where that cannot be said.
     pub fn to_decide(&self) -> Option<usize> {
-        too_few(&self.found).is_none().then(|| self.of_an_index() as usize * (self.plan.dimensions + 2))
-    }
-
-    fn of_an_index(&self) -> u64 {
-        self.plan.rounded() * REPETITIONS as u64 / OF_SAMPLES
+        let drops = Contrasts::drops(&self.plan, of_an_index(&self.plan));
+        undecided(&self.plan, &self.found).is_none().then_some(drops as usize)
     }
 
     /// Finds which quantity decides; `step` is called after each drop.
     pub fn decide(&mut self, step: impl Fn() + Sync) {
-        if self.to_decide().is_none() {
-            return;
+        if self.to_decide().is_some() {
+            self.decided(Self::contrasts(self.varied, &self.plan, (0, 1), step).map(|all| vec![all]));
         }
-        let drops = AtomicUsize::new(0);
+    }
+
+    /// One portion of the drops that say which quantity decides, `number` of `of` from 0; `step` is called after each drop.
+    ///
+    /// # Errors
+    /// More quantities than can be told apart, a portion that there is not.
+    pub fn contrasts(
+        varied: &Varied<'_>,
+        plan: &Plan,
+        number_of: (u32, u32),
+        step: impl Fn() + Sync,
+    ) -> Result<Contrasts, NoIndices> {
+        let scene = varied.scene();
+        let middle = middle(scene, plan);
         let good = |point: &[f64]| {
-            drops.fetch_add(1, Ordering::Relaxed);
             step();
-            let dropped =
-                Dropped::of(self.varied.feeder(point).as_ref(), self.plan.plate, &Options::default());
-            dropped.run.as_ref().is_some_and(|run| met(self.scene, self.plan.plate, self.middle, run))
+            let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &Options::default());
+            dropped.run.as_ref().is_some_and(|run| met(scene, plan.plate, middle, run))
         };
-        let deciders = sensitivity(&self.plan, self.of_an_index(), good).map_err(|why| why.to_string());
-        self.deciders = deciders;
-        self.drops += drops.into_inner();
+        Contrasts::counted(plan, of_an_index(plan), number_of, good)
+    }
+
+    /// Takes what all portions say of which quantity decides.
+    pub fn decided(&mut self, portions: Result<Vec<Contrasts>, NoIndices>) {
+        if portions.is_ok() {
+            self.drops += Contrasts::drops(&self.plan, of_an_index(&self.plan)) as usize;
+        }
+        self.deciders = portions.and_then(Sensitivity::of).map_err(|why| why.to_string());
     }
 
     /// What is wanted, in words.
@@ -179,9 +219,29 @@ impl<'s> YieldStudy<'s> {
     }
 }
 
+/// How the drop of the middle of all tolerances ends.
+fn middle(scene: &Scene, plan: &Plan) -> Ending {
+    Dropped::of(Some(scene.feeder()), plan.plate, &Options::default()).ending
+}
+
+/// What a layout must keep besides, where the scene says so of a drop.
+fn limits(scene: &Scene) -> Option<Limits> {
+    scene.design().map(|design| design.limits()).filter(Limits::are_of_drops)
+}
+
 /// Whether a drop ends as the scene wants, or else as the middle of all tolerances does.
 fn met(scene: &Scene, plate: usize, middle: Ending, run: &Run) -> bool {
     scene.ends_as_wanted(run).unwrap_or_else(|| Ending::of(run, plate) == middle)
+}
+
+/// Samples of a Sobol index.
+fn of_an_index(plan: &Plan) -> u64 {
+    plan.rounded() * REPETITIONS as u64 / OF_SAMPLES
+}
+
+/// Why nothing can be said on what decides, where that is so.
+fn undecided(plan: &Plan, found: &Yield) -> Option<String> {
+    too_few(found).or_else(|| Contrasts::check(plan).err().map(|why| why.to_string()))
 }
 
 /// Why nothing can be said on what decides, where too few samples end the rarer way.

@@ -5,6 +5,7 @@ import { Engine, EngineDied } from "../engine/engine";
 import type { Candidate, DesignFound, Doc, Failure, Progress } from "../engine/protocol";
 import { save, stem } from "../download";
 import { Wrong } from "../Problems";
+import { Work } from "../Work";
 import { doc, failure, open, settled } from "../state";
 import { tab } from "../tabs";
 import { Asked } from "./Asked";
@@ -167,20 +168,11 @@ export function Design() {
             ))}
           </select>
         </label>
-        {now === undefined ? (
-          <button type="button" id="search" onClick={() => void search(effort.value)}>
-            Find a layout
-          </button>
-        ) : (
-          <button type="button" id="search-stop" onClick={stop}>
-            Stop
-          </button>
-        )}
-        {now !== undefined && <progress value={news?.look ?? 0} max={news?.looks ?? 1} aria-label="Looks" />}
-        <span role="status">
+        <Work id="search" label="Find a layout" running={now !== undefined} begin={() => void search(effort.value)} stop={stop}>
           {now !== undefined && `look ${(news?.look ?? 0) + 1} of ${news?.looks ?? "…"}, ${now.steps} drops`}
           {now === undefined && stopped.value && (best.value === undefined ? "stopped before a layout was found" : "stopped: the best layout so far is below")}
-        </span>
+        </Work>
+        {now !== undefined && <progress value={news?.look ?? 0} max={news?.looks ?? 1} aria-label="Looks" />}
       </div>
       <Wrong failure={wrong.value} />
       {best.value !== undefined && (

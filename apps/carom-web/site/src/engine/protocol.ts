@@ -175,6 +175,8 @@ export interface Reply {
   controls?: string;
   html?: string;
   scenes?: { name: string; text: string }[];
+  portion?: string;
+  again?: boolean;
   limit?: Limit;
   files?: Record<string, string>;
   lab?: Lab;
@@ -219,15 +221,22 @@ export type Change =
 export type Study =
   | { strike: { number: number } }
   | { limit: { path: string } }
-  | { yield: { samples: number; seed: number } }
-  | { map: { axes: [Side, Side]; cells: number; depth: number; accuracy: number } }
   | { at: { values: Record<string, number> } }
   | { design: { scan: number; samples: number; seed: number } }
   | "files"
   | "drawings"
   | { race: { runs: number } };
 
-export type Ask = { show: { change?: Change; frame: Frame } } | { study: Study };
+/** Long work that several workers share. */
+export type Shared =
+  | { yield: { samples: number; seed: number } }
+  | { map: { axes: [Side, Side]; cells: number; depth: number; accuracy: number } };
+
+export type Ask =
+  | { show: { change?: Change; frame: Frame } }
+  | { study: Study }
+  | { portion: { study: Shared; round: number; number: number; of: number } }
+  | { joined: { study: Shared; known: string[][] } };
 
 /** What a worker tells while it works: drops so far, and news of the request. */
 export interface Progress {

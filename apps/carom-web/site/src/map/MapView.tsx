@@ -3,7 +3,9 @@
 import { signal, useSignal, useSignalEffect } from "@preact/signals";
 import { Engine, EngineDied } from "../engine/engine";
 import type { Doc, Pair, Quantity, Side } from "../engine/protocol";
+import { Team } from "../engine/team";
 import { rangeOf } from "../ranges";
+import { Work } from "../Work";
 import { doc, moveTo, whole } from "../state";
 import { tab } from "../tabs";
 
@@ -21,7 +23,7 @@ interface Drawn {
   level: number;
 }
 
-const drawer = new Engine("carom-whole.wasm");
+const drawer = new Team();
 const asker = new Engine("carom-whole.wasm");
 const drawn = signal<Drawn | undefined>(undefined);
 const running = signal(false);
@@ -34,7 +36,7 @@ async function draw(axes: [Side, Side]): Promise<void> {
   [running.value, wrong.value, there.value] = [true, "", ""];
   try {
     for (const [level, { cells, depth, accuracy }] of LEVELS.entries()) {
-      const reply = await drawer.study(of, { study: { map: { axes, cells, depth, accuracy } } });
+      const reply = await drawer.study(of, { map: { axes, cells, depth, accuracy } });
       if (reply.failure !== undefined) {
         wrong.value = [reply.failure.message, ...reply.failure.problems.map(({ message }) => message)].join(": ");
         break;
@@ -162,21 +164,12 @@ export function MapView() {
         );
       })}
       <p class="controls">
-        {running.value ? (
-          <button type="button" id="map-stop" onClick={stop}>
-            Stop
-          </button>
-        ) : (
-          <button type="button" id="map-draw" disabled={axes === undefined} onClick={() => axes !== undefined && void draw(axes)}>
-            Draw the map
-          </button>
-        )}
-        <span role="status">
+        <Work id="map-draw" label="Draw the map" running={running.value} disabled={axes === undefined} begin={() => axes !== undefined && void draw(axes)} stop={stop}>
           {running.value && `${now?.level === undefined ? "first" : "finer"} boundaries …`}
           {!running.value && axes === undefined && "choose two different quantities, and plain numbers with the first below the second"}
           {!running.value && axes !== undefined && now !== undefined && JSON.stringify(now.axes) !== JSON.stringify(axes) && "the map below is of other axes; "}
           {!running.value && now !== undefined && `drawn on ${LEVELS[now.level]?.cells} cells a side${old ? ", of the file before" : ""}`}
-        </span>
+        </Work>
       </p>
       {wrong.value !== "" && (
         <p class="note warn" role="alert">

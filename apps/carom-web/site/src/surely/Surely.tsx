@@ -1,9 +1,11 @@
 // How surely a part ends as wanted under the tolerances of the scene; the answer sharpens as drops come.
 
 import { signal, useSignal, useSignalEffect } from "@preact/signals";
-import { Engine, EngineDied } from "../engine/engine";
+import { EngineDied } from "../engine/engine";
 import type { Failure, Reply } from "../engine/protocol";
+import { Team } from "../engine/team";
 import { Wrong } from "../Problems";
+import { Work } from "../Work";
 import { Tolerances } from "./Tolerances";
 import { doc, open } from "../state";
 import { tab } from "../tabs";
@@ -12,7 +14,7 @@ const FIRST = 1024;
 const AMOUNTS = [4096, 16384, 65536, 262144];
 const SEED = 1;
 
-const sampler = new Engine("carom-whole.wasm");
+const sampler = new Team();
 /** What was found so far, with how many drops, and of which scene. */
 const found = signal<{ reply: Reply; samples: number; text: string } | undefined>(undefined);
 const wrong = signal<Failure | undefined>(undefined);
@@ -25,7 +27,7 @@ async function sample(most: number): Promise<void> {
   running.value = most;
   try {
     for (let samples = Math.min(FIRST, most); running.peek() === most; samples = Math.min(4 * samples, most)) {
-      const reply = await sampler.study(of, { study: { yield: { samples, seed: SEED } } });
+      const reply = await sampler.study(of, { yield: { samples, seed: SEED } });
       if (reply.failure !== undefined) {
         wrong.value = reply.failure;
         break;
@@ -76,19 +78,10 @@ export function Surely() {
             ))}
           </select>
         </label>
-        {running.value === undefined ? (
-          <button type="button" id="sample" onClick={() => void sample(most.value)}>
-            Find the yield
-          </button>
-        ) : (
-          <button type="button" id="stop" onClick={stop}>
-            Stop
-          </button>
-        )}
-        <span role="status">
+        <Work id="sample" label="Find the yield" running={running.value !== undefined} begin={() => void sample(most.value)} stop={stop}>
           {running.value !== undefined && `${now === undefined || old ? 0 : now.samples} of ${running.value} drops …`}
           {running.value === undefined && now !== undefined && `${now.samples} drops${old ? ", of the scene before" : ""}`}
-        </span>
+        </Work>
       </div>
       <Wrong failure={wrong.value} />
       {now === undefined && wrong.value === undefined && (
