@@ -114,7 +114,8 @@ fn shared(name: &str, text: &str, study: &Value, of: u32) -> (Value, usize) {
         let portion = |number: u32| {
             let asked = json!({ "study": study, "round": round, "number": number, "of": of });
             let reply = ask(name, text, &json!({ "portion": asked }));
-            reply["portion"].as_str().unwrap_or_else(|| panic!("{}", reply["failure"])).to_owned()
+            assert!(reply["portion"].is_string(), "{}", reply["failure"]);
+            reply["portion"].as_str().unwrap().to_owned()
         };
         known.push((0..of).map(portion).collect());
         let joined = json!({ "joined": { "study": study, "known": known } });

@@ -161,20 +161,13 @@ pub fn explore(
 packed!(Node { x, y, ending, impact_speed, flat, margin });
 
 /// Drops as whole numbers, to be sent to where the map is drawn.
-pub fn to_words(nodes: &[Node]) -> Vec<u64> {
-    let mut words = vec![];
-    nodes.iter().for_each(|node| node.pack(&mut words));
-    words
+pub fn to_words(nodes: &Vec<Node>) -> Vec<u64> {
+    nodes.sealed()
 }
 
 /// The drops that [`to_words`] gave; `None` where the numbers are no drops.
 pub fn of_words(words: &[u64]) -> Option<Vec<Node>> {
-    let mut words = words.iter();
-    let mut nodes = vec![];
-    while !words.as_slice().is_empty() {
-        nodes.push(Node::unpack(&mut words)?);
-    }
-    Some(nodes)
+    Vec::unsealed(words)
 }
 
 impl Node {

@@ -13,12 +13,27 @@ pub(crate) trait Packed: Sized {
     /// Reads it; `None` where the numbers are no such value.
     fn unpack(words: &mut Iter<'_, u64>) -> Option<Self>;
 
-    /// Reads one value that takes all of the numbers.
-    fn unpack_all(words: &[u64]) -> Option<Self> {
-        let mut words = words.iter();
-        let value = Self::unpack(&mut words)?;
-        words.as_slice().is_empty().then_some(value)
+    /// The value as numbers, with a seal behind it.
+    fn sealed(&self) -> Vec<u64> {
+        let mut words = vec![];
+        self.pack(&mut words);
+        words.push(seal(&words));
+        words
     }
+
+    /// Reads what [`Packed::sealed`] gave; `None` where a number of it was changed, or is not there.
+    fn unsealed(words: &[u64]) -> Option<Self> {
+        let (last, words) = words.split_last()?;
+        let mut rest = words.iter();
+        let value = Self::unpack(&mut rest).filter(|_| rest.as_slice().is_empty())?;
+        (*last == seal(words)).then_some(value)
+    }
+}
+
+/// After Fowler, Noll and Vo's FNV-1a, over whole numbers. It tells what was damaged, not what was forged.
+fn seal(words: &[u64]) -> u64 {
+    let mix = |hash: u64, word: &u64| (hash ^ word).wrapping_mul(0x100_0000_01b3).rotate_left(29);
+    words.iter().fold(0xcbf2_9ce4_8422_2325, mix)
 }
 
 impl Packed for u64 {
@@ -200,22 +215,22 @@ mod tests {
             .map(|(k, ending)| (ending, [k as u64, 1]))
             .collect();
         let value = (endings, vec![Some(-0.0), None, Some(f64::MIN_POSITIVE)], (3_usize, 5_u32, u64::MAX));
-        let mut words = vec![];
-        value.pack(&mut words);
-        assert_eq!(Packed::unpack_all(&words).as_ref(), Some(&value), "every ending is numbered");
+        let words = value.sealed();
+        type Value = (BTreeMap<Ending, [u64; 2]>, Vec<Option<f64>>, (usize, u32, u64));
+        assert_eq!(Value::unsealed(&words).as_ref(), Some(&value), "every ending is numbered");
         for length in 0..words.len() {
-            let cut: Option<(BTreeMap<Ending, [u64; 2]>, Vec<Option<f64>>, (usize, u32, u64))> =
-                Packed::unpack_all(&words[..length]);
-            assert_eq!(cut, None, "cut after {length} numbers");
+            assert_eq!(Value::unsealed(&words[..length]), None, "cut after {length} numbers");
+            let mut wrong = words.clone();
+            wrong[length] ^= 1 << (length % 64);
+            assert_eq!(Value::unsealed(&wrong), None, "number {length} was changed");
         }
-        words.push(0);
-        assert_eq!(<(Vec<u64>, u64)>::unpack_all(&words), None, "more than one value");
     }
 
     #[test]
-    fn a_length_that_is_not_true_takes_no_memory() {
-        assert_eq!(Vec::<u64>::unpack_all(&[u64::MAX, 1, 2]), None, "numbers end first");
-        assert_eq!(Option::<u64>::unpack_all(&[2, 2]), None, "neither there nor not");
-        assert_eq!(Ending::unpack_all(&[u64::MAX]), None, "no ending");
+    fn numbers_that_are_no_value_take_no_memory() {
+        let read = |words: &[u64]| Vec::<u64>::unpack(&mut words.iter());
+        assert_eq!(read(&[u64::MAX, 1, 2]), None, "numbers end first");
+        assert_eq!(Option::<u64>::unpack(&mut [2, 2].iter()), None, "neither there nor not");
+        assert_eq!(Ending::unpack(&mut [u64::MAX].iter()), None, "no ending");
     }
 }

@@ -198,15 +198,10 @@ fn numbers_that_are_no_portion_are_refused() {
             "{length} numbers"
         );
     }
-    // No number stands for what would break a count: whatever is changed, it is read and put together, or refused.
     for k in 0..words.len() {
-        for wrong in [0, 1, u64::MAX, 1 << 40] {
-            let mut words = words.clone();
-            words[k] = wrong;
-            if let Ok(read) = Portion::of_words(&words) {
-                Yield::of(vec![read]).unwrap_err();
-            }
-        }
+        let mut damaged = words.clone();
+        damaged[k] ^= 1 << (k % 64);
+        assert_eq!(Portion::of_words(&damaged).unwrap_err(), YieldError::Unread, "number {k} was changed");
     }
 }
 

@@ -113,9 +113,7 @@ impl Portion {
 
     /// The counts as whole numbers.
     pub fn to_words(&self) -> Vec<u64> {
-        let mut words = vec![];
-        self.pack(&mut words);
-        words
+        self.sealed()
     }
 
     /// The counts that [`Portion::to_words`] gave.
@@ -123,7 +121,7 @@ impl Portion {
     /// # Errors
     /// [`YieldError::Unread`]: numbers that are no portion.
     pub fn of_words(words: &[u64]) -> Result<Self, YieldError> {
-        let read = Self::unpack_all(words).filter(|portion| {
+        let read = Self::unsealed(words).filter(|portion| {
             let Whose { plan, samples, number, of } = portion.whose;
             let planned = plan.check().is_ok() && plan.rounded() == samples && number < of;
             planned && portion.tally.fits(plan.plates)

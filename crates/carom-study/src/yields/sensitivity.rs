@@ -181,9 +181,7 @@ impl Contrasts {
 
     /// The counts as whole numbers.
     pub fn to_words(&self) -> Vec<u64> {
-        let mut words = vec![];
-        self.pack(&mut words);
-        words
+        self.sealed()
     }
 
     /// The counts that [`Contrasts::to_words`] gave.
@@ -191,7 +189,7 @@ impl Contrasts {
     /// # Errors
     /// [`NoIndices::Unread`]: numbers that are no portion.
     pub fn of_words(words: &[u64]) -> Result<Self, NoIndices> {
-        let read = Self::unpack_all(words).filter(|portion| {
+        let read = Self::unsealed(words).filter(|portion| {
             let Whose { plan, number, of, .. } = portion.whose;
             let dimensions = |counts: &Counts| counts.differ.len() == plan.dimensions;
             portion.all.len() as u64 == SCRAMBLES && portion.all.iter().all(dimensions) && number < of

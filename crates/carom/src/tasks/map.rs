@@ -182,8 +182,8 @@ impl<'s> OutcomeMap<'s> {
 }
 
 /// The feeder at a point of the plane; `step` is called for each.
-fn feeder<'s>(
-    scene: &'s Scene,
+fn feeder(
+    scene: &Scene,
     axes: &[MapAxis; 2],
     step: impl Fn() + Sync,
 ) -> Result<impl Fn(f64, f64) -> Option<Feeder> + Sync, Problems> {
