@@ -8,6 +8,7 @@ pub mod impact;
 pub mod map;
 pub mod roll;
 pub mod solid;
+pub mod sweep;
 pub mod yields;
 
 use carom_feeder::{Feed, FeedRun, Run, RunError};

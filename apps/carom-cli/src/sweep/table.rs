@@ -4,24 +4,13 @@ use super::folder::{Counts, ENDINGS, FINGERPRINT, Folder, ROWS, Rows, rows};
 use super::{GROUP, STEP, Sweep};
 use crate::failure::Failure;
 use crate::quantities::keys;
+use carom::tasks::sweep::{FOUND, found};
 use carom_scene::ColumnReport;
 use carom_scene::columns::{Column, ColumnsError, SEAL, Table, sealed};
 use carom_study::Dropped;
-use carom_words::{Words, study};
+use carom_words::study;
 use std::collections::BTreeMap;
 use std::ops::Range;
-
-/// Columns after the quantities, with their units.
-const FOUND: [(&str, &str); 8] = [
-    ("ending", ""),
-    ("outcome", ""),
-    ("impact_speed_m_s", "m/s"),
-    ("max_sliding_speed_m_s", "m/s"),
-    ("first_touch_s", "s"),
-    ("flat_s", "s"),
-    ("end_s", "s"),
-    ("margin", ""),
-];
 
 /// The columns of a sweep and their units, in their order.
 pub(super) fn described(sweep: &Sweep<'_>) -> Vec<ColumnReport> {
@@ -46,27 +35,11 @@ pub(super) fn step(
     step: u64,
     (designs, drops): (&[Vec<f64>], &[Dropped]),
 ) -> Result<Vec<u8>, Failure> {
-    let plate = sweep.plate;
-    let number = |of: &dyn Fn(&Dropped) -> Option<f64>| Column::Number(drops.iter().map(of).collect());
-    let word = |of: &dyn Fn(&Dropped) -> Option<String>| Column::Word(drops.iter().map(of).collect());
-    let landing = |dropped: &Dropped| {
-        let run = dropped.run.as_ref()?;
-        run.landings.iter().find(|landing| landing.plate == plate).copied()
-    };
     let range = sweep.of_step(step);
     let quantity = |i: usize| Column::Number(designs.iter().map(|design| design.get(i).copied()).collect());
     let mut columns = vec![Column::Whole(range.clone().map(|row| i64::try_from(row).ok()).collect())];
     columns.extend((0..sweep.designs.paths().len()).map(quantity));
-    columns.extend([
-        word(&|d| Some(study::ending(d.ending))),
-        word(&|d| d.run.as_ref().map(|run| run.outcome.word().to_owned())),
-        number(&|d| landing(d).map(|l| l.impact_speed)),
-        number(&|d| landing(d).map(|l| l.max_sliding_speed)),
-        number(&|d| landing(d).map(|l| l.first_touch)),
-        number(&|d| landing(d).and_then(|l| l.flat)),
-        number(&|d| d.run.as_ref().map(|run| run.end_time)),
-        number(&Dropped::margin),
-    ]);
+    columns.extend(found(drops, sweep.plate));
     let names = described(sweep).into_iter().map(|column| column.name);
     let mut file = File::new(sweep, folder, range, &counts(drops))?;
     file.push(&names.zip(columns).collect::<Rows>())?;
