@@ -14,6 +14,7 @@ mod links;
 mod markup;
 mod metadata;
 mod paths;
+mod python;
 mod rules;
 mod source;
 mod steps;
@@ -57,6 +58,8 @@ cargo xtask COMMAND
   studio                    builds the studio: the engine as WebAssembly, and the site around it; needs Node.js
                             and a standard library for wasm32-unknown-unknown, and says so where they are missing
   studio check              the same, and its tests in Chromium
+  python check              builds the package for Python, installs it into an environment of its own, and tries
+                            it there; needs Python 3.11 and what pip fetches
   help                      this page
 
   steps of `check`: format arrows licences rules clippy doc examples book digest tests";
@@ -81,6 +84,7 @@ const BOOK: Step = Step { name: "book", run: book::write };
 /// Chores of their own: they need more than Rust.
 const STUDIO: [Step; 2] =
     [Step { name: "studio", run: studio::build }, Step { name: "studio", run: studio::check }];
+const PYTHON: Step = Step { name: "python", run: python::check };
 const DIGEST_WASM: Step = Step { name: "digest wasm", run: digest::check_wasm };
 
 /// What the command line asks for.
@@ -142,6 +146,7 @@ fn task(words: &[&str]) -> Result<Task, String> {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }
         ["digest", "wasm"] => Ok(Task::Run(vec![&DIGEST_WASM])),
+        ["python", "check"] => Ok(Task::Run(vec![&PYTHON])),
         ["book"] => Ok(Task::Run(vec![&BOOK])),
         ["book", "check"] => Ok(Task::Run(STEPS.iter().filter(|step| step.name == "book").collect())),
         ["studio"] => Ok(Task::Run(vec![&STUDIO[0]])),

@@ -171,6 +171,11 @@ impl Plan {
         self.samples.next_power_of_two()
     }
 
+    /// Drops of all repetitions.
+    pub fn drops(&self) -> u64 {
+        self.rounded().saturating_mul(REPETITIONS as u64)
+    }
+
     fn check(&self) -> Result<(), YieldError> {
         let most = 1 << MOST_DIGITS;
         if !(1..=MOST_DIMENSIONS).contains(&self.dimensions) {

@@ -1,0 +1,128 @@
+"""Writes the classes of answers, `python/carom/answers/*.py`, from the schemas: `python generate.py` writes, `python generate.py check` compares."""
+
+from __future__ import annotations
+
+import json
+import keyword
+import re
+import sys
+import textwrap
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).parent
+SCHEMAS = HERE.parent.parent / "schemas"
+PLACE = HERE / "python/carom/answers"
+#: Which schemas answer, and what their roots are called.
+ANSWERS = {
+    "run": {"carom run": "Run"},
+    "impact": {"ImpactAnswerReport": "PlanarImpact", "SpatialImpactReport": "SpatialImpact"},
+    "contact": {"carom contact": "Contact"},
+    "roll": {"RollReport": "PlanarRoll", "SpatialRollReport": "SpatialRoll", "PoseReport": "Throws"},
+    "yield": {"carom yield": "Yield"},
+    "design": {"carom design": "Design"},
+}
+WIDTH = 110
+
+
+def name_of(schema: str, definition: str) -> str:
+    """What a definition is called in Python."""
+    return ANSWERS[schema].get(definition) or definition.removesuffix("Report") or definition
+
+
+def literal(words: list[Any]) -> str:
+    return f"Literal[{', '.join(json.dumps(word, ensure_ascii=False) for word in words)}]"
+
+
+def kind(schema: str, node: dict[str, Any]) -> str:
+    """The Python type of a schema."""
+    if "$ref" in node:
+        return name_of(schema, node["$ref"].rsplit("/", 1)[1])
+    if "const" in node:
+        return literal([node["const"]])
+    if "enum" in node:
+        return " | ".join(filter(None, [literal([w for w in node["enum"] if w is not None]), "None" if None in node["enum"] else ""]))
+    for several in ("oneOf", "anyOf"):
+        if several in node:
+            kinds = [kind(schema, one) for one in node[several]]
+            if all(one.startswith("Literal[") for one in kinds):
+                return literal(list(dict.fromkeys(word for one in kinds for word in json.loads(f"[{one[8:-1]}]"))))
+            return " | ".join(dict.fromkeys(kinds))
+    simple = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None"}
+    types = node.get("type")
+    if isinstance(types, list):
+        return " | ".join(kind(schema, {**node, "type": one}) for one in types)
+    if types == "array":
+        return f"list[{kind(schema, node.get('items') or {})}]"
+    if types == "object":
+        return f"dict[str, {kind(schema, node.get('additionalProperties') or {})}]"
+    return simple.get(str(types), "object")
+
+
+def described(text: str, indent: str) -> list[str]:
+    text = re.sub(r"\\", r"\\\\", text.strip())
+    wrapped = textwrap.wrap(text, WIDTH - len(indent)) or ["."]
+    if len(wrapped) == 1:
+        return [f'{indent}"""{wrapped[0]}"""']
+    return [f'{indent}"""{wrapped[0]}', *(indent + line for line in wrapped[1:]), f'{indent}"""']
+
+
+def class_of(schema: str, name: str, node: dict[str, Any], base: str) -> list[str]:
+    lines = ["@dataclass(frozen=True, kw_only=True)", f"class {name}{base}:", *described(node.get("description", name), "    "), ""]
+    required = set(node.get("required", []))
+    for key, value in node.get("properties", {}).items():
+        field = key + "_" if keyword.iskeyword(key) else key
+        type_ = kind(schema, value)
+        if key not in required and "None" not in type_:
+            type_ += " | None"
+        default = "" if key in required else " = None"
+        lines += [f"    {field}: {type_}{default}"]
+        if "description" in value:
+            lines += described(value["description"], "    ")
+    return [*lines, "", ""]
+
+
+def module(schema: str) -> str:
+    root = json.loads((SCHEMAS / f"carom-{schema}.schema.json").read_text())
+    roots = ANSWERS[schema]
+    lines = [
+        f'"""Answers of `carom {schema}`. Written by `generate.py` from its schema."""',
+        "",
+        "from __future__ import annotations",
+        "",
+        "from dataclasses import dataclass",
+        "from typing import Literal",
+        "",
+        "from carom._answer import Answer",
+        "",
+        "",
+    ]
+    for name, node in root.get("$defs", {}).items():
+        if "properties" in node:
+            lines += class_of(schema, name_of(schema, name), node, "(Answer)" if name in roots else "")
+        else:
+            # A type alias: words, or one of several classes.
+            lines += [f"{name_of(schema, name)} = {kind(schema, node)}", *described(node.get("description", name), ""), "", ""]
+    if "properties" in root:
+        lines += class_of(schema, roots[root["title"]], root, "(Answer)")
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def main() -> int:
+    PLACE.mkdir(parents=True, exist_ok=True)
+    wrong = []
+    for schema in ANSWERS:
+        place = PLACE / f"{schema}_.py" if keyword.iskeyword(schema) else PLACE / f"{schema}.py"
+        text = module(schema)
+        if sys.argv[1:] == ["check"]:
+            if not place.is_file() or place.read_text() != text:
+                wrong.append(str(place))
+        else:
+            place.write_text(text)
+    if wrong:
+        print("not as the schemas say, run generate.py:", *wrong, sep="\n")
+    return bool(wrong)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

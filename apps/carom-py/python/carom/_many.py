@@ -1,0 +1,112 @@
+"""Drops and impacts by the million."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom import _carom
+from carom._progress import Progress, Told
+from carom.errors import CaromError, Problem
+from carom.scene import SceneLike, scene_of
+from carom.table import Table
+
+
+def _columns(given: Mapping[str, Any], what: str) -> list[tuple[str, NDArray[np.float64]]]:
+    """Columns of numbers; all that are none are told together."""
+    problems: list[Problem] = []
+    columns: list[tuple[str, NDArray[np.float64]]] = []
+    for name, values in given.items():
+        try:
+            array = np.atleast_1d(np.asarray(values))
+        except ValueError as error:
+            problems.append(Problem(str(error), kind="wrong_value", path=name))
+            continue
+        if array.dtype.kind not in "biuf":
+            problems.append(Problem(f"holds {_kind(array)}, not numbers", kind="wrong_value", path=name))
+        elif array.ndim != 1:
+            problems.append(Problem(f"has the shape {array.shape}, not one value a row", kind="wrong_value", path=name))
+        else:
+            columns.append((name, np.asarray(array, dtype=np.float64)))
+    if problems:
+        raise CaromError("\n".join(f"{what}: {one.path}: {one.message}" for one in problems), problems)
+    return columns
+
+
+def _kind(array: NDArray[Any]) -> str:
+    return {"U": "text", "S": "bytes", "O": "objects", "c": "complex numbers", "M": "dates", "m": "times"}.get(array.dtype.kind, str(array.dtype))
+
+
+def drops(
+    scene: SceneLike,
+    columns: Mapping[str, ArrayLike] | NDArray[Any],
+    *,
+    plate: str | int | None = None,
+    progress: Progress = None,
+) -> Table:
+    """One drop in each design, on all cores.
+
+    ``columns`` gives quantities of the scene by their paths, SI, one value a row; one value alone stands for every row. A structured array is
+    taken as well. ``plate`` is the one whose ending is told, the last where none is given. The columns that come out are those of
+    ``carom sweep``: ``ending``, ``outcome``, ``impact_speed_m_s``, ``max_sliding_speed_m_s``, ``first_touch_s``, ``flat_s``, ``end_s``, ``margin``.
+
+    Raises :class:`CaromError` that names rows and columns; KeyboardInterrupt within a moment of ctrl-C.
+
+    >>> import carom, numpy as np
+    >>> friction = np.linspace(0.01, 0.17, 5)
+    >>> carom.drops("examples/case_2.toml", {"contact.friction": friction}).counts()
+    {'turned': 3, 'same side': 2}
+    """
+    if isinstance(columns, np.ndarray):
+        if columns.dtype.names is None:
+            raise CaromError("columns: the array has no names: give a structured array or a dictionary of columns")
+        columns = {name: columns[name] for name in columns.dtype.names}
+    inner = scene_of(scene)
+    given = _columns(columns, "drops")
+    with Told(progress) as hear:
+        return Table(_carom.drops(inner, given, None if plate is None else str(plate), hear))
+
+
+def impacts(
+    *,
+    mass: ArrayLike,
+    inertia: ArrayLike,
+    arm: ArrayLike,
+    velocity: ArrayLike,
+    normal: ArrayLike = (0.0, 1.0),
+    spin: ArrayLike = 0.0,
+    friction: ArrayLike = 0.0,
+    restitution: ArrayLike = 0.0,
+    law: Literal["poisson", "stronge", "newton"] = "poisson",
+    progress: Progress = None,
+) -> Table:
+    """Impacts of a free planar body at one contact, one a row, on all cores.
+
+    ``arm`` (from the mass centre to the contact [m]), ``normal`` (out of the obstacle, of any length) and ``velocity`` of the mass centre [m/s] have
+    two components: shape ``(2,)`` for all rows, or ``(n, 2)``. ``mass`` [kg], ``inertia`` [kg m²], ``spin`` [rad/s], ``friction`` and
+    ``restitution`` are one value for all rows or ``(n,)``.
+
+    The columns that come out: impulses along the normal and the tangent (the normal turned a quarter clockwise), velocity and spin after, slip
+    and normal velocity of the contact after, the type of the impact (1 to 7; 0 where the contact did not approach), what the impact does to
+    the energy, the margin of what was decided, and what the contact does in the end. Where the numbers overflow they are NaN.
+
+    Raises :class:`CaromError` that names rows and columns.
+
+    >>> import carom
+    >>> fallen = carom.impacts(mass=1, inertia=0.4, arm=(0, -1), velocity=[(0, -2), (7, -2)], friction=0.3, restitution=0.5)
+    >>> fallen["velocity_y_m_s"].tolist(), fallen["type"].tolist()
+    ([1.0, 1.0], [3.0, 1.0])
+    """
+    given: dict[str, Any] = {"mass": mass, "inertia": inertia}
+    for name, pair in {"arm": arm, "normal": normal, "velocity": velocity}.items():
+        array = np.asarray(pair)
+        if array.shape[-1:] != (2,) or array.ndim > 2:
+            raise CaromError(f"impacts: {name}: has the shape {array.shape}, not (2,) or (n, 2)", [Problem("not pairs", kind="wrong_value", path=name)])
+        given[f"{name}_x"], given[f"{name}_y"] = array[..., 0], array[..., 1]
+    given |= {"spin": spin, "friction": friction, "restitution": restitution}
+    columns = [array for _, array in _columns(given, "impacts")]
+    with Told(progress) as hear:
+        return Table(_carom.impacts(columns, law, hear))

@@ -1,0 +1,146 @@
+"""One question at a time."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Literal
+
+from carom import _carom
+from carom._given import FileLike, read
+from carom._progress import Progress, Told
+from carom.answers.contact import Contact
+from carom.answers.design import Design
+from carom.answers.impact import PlanarImpact, SpatialImpact
+from carom.answers.roll import PlanarRoll, SpatialRoll
+from carom.answers.run import Run
+from carom.answers.yield_ import Yield
+from carom.errors import CaromError
+from carom.scene import SceneLike, scene_of
+
+
+def run(scene: SceneLike, *, set: Mapping[str, float | str] | None = None, limits: bool = False, progress: Progress = None) -> Run:
+    """Drops the part once, as ``carom run`` does.
+
+    ``scene`` is a :class:`Scene`, a file, a text or a dictionary; ``set`` gives other values to its quantities; ``limits`` also finds how far
+    each quantity may move alone before the verdict flips.
+
+    Raises :class:`CaromError` with every problem of the scene, or where the run met a fault of the numbers.
+
+    >>> import carom
+    >>> carom.run("examples/case_2.toml", set={"contact.friction": 0.5}).outcome
+    'stuck'
+    """
+    with Told(progress) as hear:
+        return Run._of(_carom.run(scene_of(scene, set), limits, hear))
+
+
+def impact(impact: FileLike) -> PlanarImpact | SpatialImpact:
+    """Resolves an impact, as ``carom impact`` does: all end states that the laws allow, and the walk that leads to one of them.
+
+    ``impact`` is a file, a text or a dictionary with the keys of the impact file; in space where its vectors have three components.
+
+    Raises :class:`CaromError` with every problem.
+
+    >>> import carom
+    >>> ball = carom.impact({
+    ...     "body": {"mass": "1 kg", "inertia": "0.4 kg m^2", "velocity": ["0 m/s", "-2 m/s"]},
+    ...     "contact": [{"point": ["0 m", "-1 m"], "normal": [0, 1], "friction": 0.3, "restitution": 0.5}],
+    ... })
+    >>> ball.outcome
+    'unique'
+    """
+    answer = _carom.impact(*read(impact, "impact"))
+    # Only in space an answer says along which axes its impulses are told.
+    kind = SpatialImpact if "axes" in json.loads(answer[0]) else PlanarImpact
+    return kind._of(answer)
+
+
+def contact(contact: FileLike) -> Contact:
+    """Which accelerations and contact forces are consistent at this instant, as ``carom contact`` finds them.
+
+    ``contact`` is an impact file with ``gravity``, ``force`` or ``torque``, a text or a dictionary.
+
+    Raises :class:`CaromError` with every problem.
+
+    A rod that slides with much friction, Painlevé's paradox: no motion is consistent.
+
+    >>> import carom
+    >>> carom.contact("examples/contact_painleve.toml").count
+    0
+    """
+    return Contact._of(_carom.contact(*read(contact, "contact")))
+
+
+def roll(
+    kind: Literal["cylinder", "prism", "rod", "pyramid", "stool", "body"],
+    roll: FileLike = "",
+    *,
+    set: Mapping[str, float | str] | None = None,
+) -> PlanarRoll | SpatialRoll:
+    """Follows what rolls through its strikes, as ``carom roll KIND`` does.
+
+    ``roll`` is a file, a text or a dictionary; without it everything has its default. ``set`` gives other values to its keys.
+
+    Raises :class:`CaromError` with every problem.
+
+    >>> import carom
+    >>> prism = carom.roll("prism", {"sides": 6, "strikes": 1})
+    >>> len(prism.strikes)
+    1
+    """
+    name, text, is_json = (f"roll {kind}", "", False) if roll == "" else read(roll, f"roll {kind}")
+    answer = _carom.roll(kind, name, text, is_json, [f"{key}={value}" for key, value in (set or {}).items()])
+    return (PlanarRoll if kind in ("cylinder", "prism", "rod") else SpatialRoll)._of(answer)
+
+
+def _within(name: str, value: int, low: int, high: int) -> int:
+    if not low <= value <= high:
+        raise CaromError(f"{name}: {value} is outside {low} to {high}")
+    return int(value)
+
+
+def yield_(
+    scene: SceneLike,
+    *,
+    samples: int = 16_384,
+    seed: int = 1,
+    plate: str | int | None = None,
+    plain: bool = False,
+    set: Mapping[str, float | str] | None = None,
+    progress: Progress = None,
+) -> Yield:
+    """With what probability drops end as wanted under the tolerances of the scene, as ``carom yield`` finds it.
+
+    ``samples`` drops at least; ``plate`` is the one that is looked at, the last where none is given; ``plain`` draws independent random numbers
+    in place of Sobol's points. :attr:`Answer.files` holds the drops to look at as scenes.
+
+    Raises :class:`CaromError` with every problem of the scene; KeyboardInterrupt within a moment of ctrl-C.
+
+    >>> import carom
+    >>> found = carom.yield_("examples/designer.toml", samples=1024)
+    >>> 0.5 < found.yield_.share <= 1
+    True
+    """
+    _within("samples", samples, 16, 1 << 34)
+    with Told(progress) as hear:
+        plate = None if plate is None else str(plate)
+        return Yield._of(_carom.yields(scene_of(scene, set), samples, seed, plain, plate, hear))
+
+
+def design(scene: SceneLike, *, scan: int = 4096, samples: int = 16_384, seed: int = 1, progress: Progress = None) -> Design:
+    """Which layout makes drops end as wanted, as ``carom design`` finds it: the scene says in ``[design]`` what may be chosen.
+
+    ``scan`` layouts are looked at first; ``samples`` drops confirm the winner.
+
+    Raises :class:`CaromError` with every problem of the scene; KeyboardInterrupt within a moment of ctrl-C.
+
+    >>> import carom
+    >>> found = carom.design("examples/design_turn_once.toml", scan=32, samples=64)
+    >>> "design.toml" in found.files
+    True
+    """
+    _within("scan", scan, 16, 1 << 24)
+    _within("samples", samples, 16, 1 << 34)
+    with Told(progress) as hear:
+        return Design._of(_carom.design(scene_of(scene), scan, samples, seed, hear))

@@ -1,0 +1,1 @@
+"""What Carom answers, as classes: one module for each command whose JSON it is."""

@@ -1,0 +1,145 @@
+"""Scenes: a part, plates and walls, and where the part starts."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from carom import _carom
+from carom._given import as_json, is_path
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A quantity of a scene."""
+
+    path: str
+    """Its name: ``plate.lower.slope``."""
+    label: str
+    """Its name for people."""
+    value: float
+    """Its value, SI; the middle of its tolerance."""
+    unit: str
+    """The SI unit; empty of a plain number."""
+    usual_unit: str
+    """The unit that drawings use."""
+    low: float | None
+    """The smallest value that is allowed, SI; None where there is none."""
+    high: float | None
+    """The largest one."""
+    written: bool
+    """True where the scene writes it; False for a default."""
+
+
+class Scene:
+    """A scene that was read and checked.
+
+    >>> import carom
+    >>> scene = carom.Scene.read("examples/case_2.toml")
+    >>> steeper = scene.set({"plate.upper.slope": "12 deg", "contact.friction": 0.1})
+    >>> steeper["contact.friction"].value
+    0.1
+    """
+
+    def __init__(self, text: str | Mapping[str, Any], *, name: str = "scene", files: Mapping[str, bytes] | None = None) -> None:
+        """Reads a scene: its text, or a dictionary with the keys of the file.
+
+        ``files`` holds the files that it names (an outline); without it they are looked for on the disk.
+
+        Raises :class:`CaromError` with every problem of the scene.
+        """
+        beside = None if files is None else dict(files)
+        if isinstance(text, str):
+            self._inner = _carom.Scene(text, name, False, beside)
+        else:
+            self._inner = _carom.Scene(as_json(text), name, True, beside)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Scene:
+        """Reads a scene's file. Raises :class:`CaromError` with every problem."""
+        return cls._of(_carom.Scene.read(os.fspath(path)))
+
+    @classmethod
+    def _of(cls, inner: _carom.Scene) -> Scene:
+        made = cls.__new__(cls)
+        made._inner = inner
+        return made
+
+    def set(self, values: Mapping[str, float | str]) -> Scene:
+        """The same scene with other values: numbers are SI, text has a unit and may have a tolerance, ``"12 ± 0.5 deg"``."""
+        inner = self._inner
+        units = {quantity.path: quantity.unit for quantity in self.quantities}
+        for path, value in values.items():
+            known = self._path(path)
+            text = value if isinstance(value, str) else f"{float(value)!r} {units.get(known, '')}".strip()
+            inner = inner.writing(path, text)
+        return self._of(inner)
+
+    def _path(self, path: str) -> str:
+        """A path with a plate's number replaced by its name."""
+        first, _, rest = path.partition(".")
+        number, _, key = rest.partition(".")
+        plates = self.plates
+        if first == "plate" and number.isdigit() and int(number) < len(plates) and plates[int(number)]:
+            return f"plate.{plates[int(number)]}.{key}"
+        return path
+
+    @property
+    def name(self) -> str:
+        """Its name: the file's, without folder and ending."""
+        return self._inner.name
+
+    @property
+    def text(self) -> str:
+        """Its text, TOML."""
+        return self._inner.text
+
+    @property
+    def plates(self) -> list[str]:
+        """The names of its plates."""
+        return self._inner.plates
+
+    @property
+    def quantities(self) -> list[Quantity]:
+        """Every quantity, defaults included, in the order of the scene."""
+        return [Quantity(**one) for one in json.loads(self._inner.quantities())]
+
+    def __getitem__(self, path: str) -> Quantity:
+        known = self._path(path)
+        found = next((quantity for quantity in self.quantities if quantity.path == known), None)
+        if found is None:
+            raise KeyError(f"{path} is none of {', '.join(quantity.path for quantity in self.quantities)}")
+        return found
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (self.text, self._inner.file))
+
+    def __repr__(self) -> str:
+        return f"carom.Scene({self.name!r})"
+
+    def _repr_svg_(self) -> str:
+        return self._inner.layout()
+
+
+def _again(text: str, file: str) -> Scene:
+    return Scene(text, name=file)
+
+
+#: A scene, or what it can be read from: a file, a text, a dictionary with the keys of the file.
+SceneLike: TypeAlias = Scene | str | os.PathLike[str] | Mapping[str, Any]
+
+
+def scene_of(given: SceneLike, values: Mapping[str, float | str] | None = None) -> _carom.Scene:
+    """The scene that was given, with other values."""
+    if isinstance(given, Scene):
+        scene = given
+    elif isinstance(given, Mapping):
+        scene = Scene(given)
+    elif is_path(given):
+        scene = Scene.read(given)
+    else:
+        scene = Scene(os.fspath(given))
+    return (scene.set(values) if values else scene)._inner

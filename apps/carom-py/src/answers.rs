@@ -1,0 +1,194 @@
+//! One question at a time: the answer as the command writes it.
+
+use crate::failure::{of_fault, of_input, of_inputs, of_words};
+use crate::scene::Scene;
+use crate::watch::long;
+use carom::study::yields::Points;
+use carom::tasks;
+use carom::tasks::design::{DesignError, DesignPlan, DesignStudy, design_space};
+use carom::tasks::impact::ImpactStudy;
+use carom::tasks::impact::space::SpatialImpactStudy;
+use carom::tasks::roll::RollStudy;
+use carom::tasks::solid::SolidStudy;
+use carom::tasks::yields::YieldStudy;
+use carom_scene::{
+    AnyImpact, ForceAnswerReport, ImpactProblem, RollKind, RollProblem, SpatialRollKind, SpatialRollProblem,
+    StudyRunReport, toml_of_json,
+};
+use carom_words::Words;
+use pyo3::prelude::*;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+/// An answer as JSON, and the files that come with it, by their names.
+type Answer = (String, BTreeMap<String, String>);
+
+fn pretty(value: &impl Serialize) -> PyResult<String> {
+    serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(of_fault)
+}
+
+fn named<N: Into<String>>(files: impl IntoIterator<Item = (N, String)>) -> BTreeMap<String, String> {
+    files.into_iter().map(|(name, text)| (name.into(), text)).collect()
+}
+
+fn spent(drops: usize, begun: Instant, threads: usize) -> StudyRunReport {
+    StudyRunReport { drops, seconds: begun.elapsed().as_secs_f64(), threads }
+}
+
+/// TOML of what was given: TOML, or one JSON object.
+fn toml(py: Python<'_>, name: &str, text: &str, json: bool) -> PyResult<String> {
+    if !json {
+        return Ok(text.to_owned());
+    }
+    toml_of_json(name, text).map_err(|problems| of_input(py, &problems))
+}
+
+/// What `carom run` says and writes.
+#[pyfunction]
+#[pyo3(signature = (scene, limits=false, progress=None))]
+pub(crate) fn run(
+    py: Python<'_>,
+    scene: &Scene,
+    limits: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let scene = &scene.inner;
+    let done = long(py, None, progress, |watch| {
+        let run = scene.feeder().run()?;
+        let fed = tasks::feed(scene)?;
+        let found = limits.then(|| scene.limits(&mut |_, _| watch.step()));
+        Ok::<_, carom::feeder::RunError>((run, fed, found))
+    })?;
+    let (run, fed, found) = done.map_err(|error| of_words(py, &format!("{}: {error}", scene.name())))?;
+    let mut files = named(tasks::run_files(scene, &run, fed.as_ref(), found.as_ref()).map_err(of_fault)?);
+    let json = files.remove("run.json").unwrap_or_default();
+    Ok((json, files))
+}
+
+/// What `carom impact` says and writes.
+#[pyfunction]
+pub(crate) fn impact(py: Python<'_>, name: &str, text: &str, json: bool) -> PyResult<Answer> {
+    let text = toml(py, name, text, json)?;
+    let problem = AnyImpact::parse(name, &text).map_err(|problems| of_input(py, &problems))?;
+    let title = name.rsplit('/').next().unwrap_or(name);
+    let title = title.strip_suffix(".toml").unwrap_or(title);
+    py.detach(|| match problem {
+        AnyImpact::Planar(problem) => {
+            let study = ImpactStudy::of(*problem);
+            let files = study.files(title, &text).map_err(of_fault)?;
+            Ok((pretty(&study.report)?, named(files)))
+        }
+        AnyImpact::Spatial(problem) => {
+            let study = SpatialImpactStudy::of(*problem);
+            let page = study.page(title, &text, None);
+            Ok((pretty(&study.report)?, named([("report.html", page)])))
+        }
+    })
+}
+
+/// What `carom contact` says.
+#[pyfunction]
+pub(crate) fn contact(py: Python<'_>, name: &str, text: &str, json: bool) -> PyResult<Answer> {
+    let text = toml(py, name, text, json)?;
+    let problem = ImpactProblem::parse(name, &text).map_err(|problems| of_input(py, &problems))?;
+    let answer = py.detach(|| problem.under_forces(name)).map_err(|problems| of_input(py, &problems))?;
+    Ok((pretty(&ForceAnswerReport::new(&problem, &answer))?, BTreeMap::new()))
+}
+
+/// What `carom roll` says and writes.
+#[pyfunction]
+pub(crate) fn roll(
+    py: Python<'_>,
+    kind: &str,
+    name: &str,
+    text: &str,
+    json: bool,
+    set: Vec<String>,
+) -> PyResult<Answer> {
+    let text = toml(py, name, text, json)?;
+    let planar = [RollKind::Cylinder, RollKind::Prism, RollKind::Rod].into_iter();
+    let spatial = [SpatialRollKind::Pyramid, SpatialRollKind::Stool, SpatialRollKind::Body].into_iter();
+    if let Some(kind) = planar.clone().find(|known| known.word() == kind) {
+        let problem = RollProblem::parse(kind, name, &text, &set).map_err(|found| of_inputs(py, &found.0))?;
+        let study = py.detach(|| RollStudy::of(problem));
+        let study = study.map_err(|error| of_words(py, &format!("{name}: {error}")))?;
+        let page = study.page(name);
+        return Ok((pretty(&study.report)?, named([("report.html", page)])));
+    }
+    let Some(kind) = spatial.clone().find(|known| known.word() == kind) else {
+        let words: Vec<&str> =
+            planar.map(|kind| kind.word()).chain(spatial.map(|kind| kind.word())).collect();
+        return Err(of_words(py, &format!("what rolls is one of {}, not \"{kind}\"", words.join(", "))));
+    };
+    let problem =
+        SpatialRollProblem::parse(kind, name, &text, &set).map_err(|found| of_inputs(py, &found.0))?;
+    let study = py.detach(|| SolidStudy::of(problem));
+    let study = study.map_err(|error| of_words(py, &format!("{name}: {error}")))?;
+    let page = study.page(name);
+    Ok((pretty(&study.report)?, named([("report.html", page)])))
+}
+
+/// What `carom yield` says and writes.
+#[pyfunction]
+#[pyo3(signature = (scene, samples, seed, plain, plate=None, progress=None))]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "a function of Python has keywords, and `py` is not one of its arguments"
+)]
+pub(crate) fn yields(
+    py: Python<'_>,
+    scene: &Scene,
+    samples: u64,
+    seed: u64,
+    plain: bool,
+    plate: Option<&str>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let scene = &scene.inner;
+    let plate = crate::given::plate(py, scene, plate)?;
+    let varied = scene.varied().map_err(|problems| of_input(py, &problems))?;
+    let points = if plain { Points::Random } else { Points::Sobol };
+    let plan = YieldStudy::plan(&varied, samples, seed, points, plate);
+    let begun = Instant::now();
+    let drops = usize::try_from(plan.drops()).ok();
+    let (study, threads) = long(py, drops, progress, |watch| {
+        let study = YieldStudy::sampled(&varied, plan, || watch.step()).map(|mut study| {
+            study.decide(|| watch.step());
+            study
+        });
+        (study, carom_study::threads())
+    })?;
+    let study = study.map_err(|error| of_words(py, &format!("{}: {error}", scene.name())))?;
+    let spent = spent(study.drops, begun, threads);
+    let mut files = named(study.worst_scenes());
+    files.insert("yield.html".to_owned(), study.page(std::path::Path::new("")));
+    Ok((pretty(&study.summary(spent))?, files))
+}
+
+/// What `carom design` says and writes.
+#[pyfunction]
+#[pyo3(signature = (scene, scan, samples, seed, progress=None))]
+pub(crate) fn design(
+    py: Python<'_>,
+    scene: &Scene,
+    scan: u64,
+    samples: u64,
+    seed: u64,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let scene = &scene.inner;
+    let refused = |error: DesignError| match error {
+        DesignError::Scene(problems) => of_input(py, &problems),
+        DesignError::Asked(message) | DesignError::Undone(message) => of_words(py, &message),
+    };
+    let space = design_space(scene).map_err(refused)?;
+    let begun = Instant::now();
+    let plan = DesignPlan { scan, samples, seed };
+    let (study, threads) = long(py, None, progress, |watch| {
+        let study = DesignStudy::searched(scene, &space, plan, || watch.step(), |_| {});
+        (study, carom_study::threads())
+    })?;
+    let study = study.map_err(refused)?;
+    Ok((pretty(&study.summary(spent(study.drops, begun, threads)))?, named(study.files())))
+}

@@ -1,0 +1,88 @@
+//! What is given by name or as an array, checked: every fault is told, up to a limit.
+
+use crate::failure::{of_input, of_words};
+use crate::watch::pool;
+use carom_scene::{Problem, ProblemKind, Problems, Scene};
+use carom_words::part;
+use numpy::ndarray::ArrayView1;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+/// Faults that are told one by one.
+const MOST_TOLD: usize = 10;
+
+/// The number of the plate that is looked at: by its name or its number, the last one where none is given.
+pub(crate) fn plate(py: Python<'_>, scene: &Scene, given: Option<&str>) -> PyResult<usize> {
+    let plates = &scene.feeder().plates;
+    let Some(given) = given else { return Ok(plates.len() - 1) };
+    let by_name = plates.iter().position(|plate| &*plate.name == given);
+    let found = by_name.or_else(|| given.parse().ok().filter(|number| *number < plates.len()));
+    found.ok_or_else(|| {
+        let names: Vec<String> =
+            (0..plates.len()).map(|plate| part::obstacle(scene.feeder(), plate)).collect();
+        of_words(py, &format!("plate: \"{given}\" is none of {}", names.join(", ")))
+    })
+}
+
+/// The values of a column, where the array has them.
+pub(crate) type Values<'a> = ArrayView1<'a, f64>;
+
+/// A column of numbers, and what they must be.
+pub(crate) struct Given<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) values: Values<'a>,
+    /// Both ends are allowed.
+    pub(crate) allowed: [f64; 2],
+}
+
+/// The number of rows: columns of one value say it of every row.
+///
+/// # Errors
+/// Columns of different lengths; values that are not finite or not allowed, by row and column, the first of them.
+pub(crate) fn rows(py: Python<'_>, what: &str, columns: &[Given<'_>]) -> PyResult<usize> {
+    let rows = columns.iter().map(|column| column.values.len()).find(|length| *length != 1).unwrap_or(1);
+    let mut problems: Vec<Problem> = vec![];
+    for column in columns.iter().filter(|column| ![1, rows].contains(&column.values.len())) {
+        let message = format!("has {} rows, others have {rows}", column.values.len());
+        problems.push(Problem::new(ProblemKind::Conflict, column.name, message, None));
+    }
+    let mut more = 0;
+    for column in columns {
+        let [low, high] = column.allowed;
+        let wrong = |value: &f64| !(value.is_finite() && *value >= low && *value <= high);
+        if !pool()?.install(|| (0..column.values.len()).into_par_iter().any(|row| wrong(&column.values[row])))
+        {
+            continue;
+        }
+        for (row, value) in column.values.iter().enumerate().filter(|(_, value)| wrong(value)) {
+            if problems.len() >= MOST_TOLD {
+                more += 1;
+                continue;
+            }
+            let allowed = match (low.is_finite(), high.is_finite()) {
+                (true, true) => format!("a number from {low} to {high}"),
+                (true, false) => format!("a number of at least {low}"),
+                (false, true) => format!("a number of at most {high}"),
+                (false, false) => "a finite number".to_owned(),
+            };
+            let kind = if value.is_finite() { ProblemKind::OutOfRange } else { ProblemKind::WrongValue };
+            let mut problem =
+                Problem::new(kind, column.name, format!("row {row}: {value} is not {allowed}"), None);
+            problem.allowed = [allowed].into();
+            problems.push(problem);
+        }
+    }
+    if problems.is_empty() {
+        return Ok(rows);
+    }
+    if more > 0 {
+        let message = format!("{more} more values that are not allowed");
+        problems.push(Problem::new(ProblemKind::OutOfRange, "", message, None));
+    }
+    Err(of_input(py, &Problems::new(what, "", problems)))
+}
+
+/// The value of a row.
+pub(crate) fn at(values: &Values<'_>, row: usize) -> f64 {
+    values[if values.len() == 1 { 0 } else { row }]
+}
