@@ -101,7 +101,11 @@ fn is_empty(page: &str, inclusion: &Inclusion, text: &str) -> Option<String> {
     let holds = match first.parse::<usize>() {
         _ if first.is_empty() => true,
         Ok(line) => text.lines().nth(line.saturating_sub(1)).is_some_and(|line| !line.trim().is_empty()),
-        Err(_) => text.contains(&format!("ANCHOR: {first}\n")),
+        // The mark ends its line, but for the end of a comment.
+        Err(_) => text.lines().any(|line| {
+            let line = line.trim_end().trim_end_matches("-->").trim_end();
+            line.strip_suffix(first).is_some_and(|before| before.ends_with("ANCHOR: "))
+        }),
     };
     (!holds).then(|| format!("{page}:{}: {} has no part {first}", inclusion.line, inclusion.file))
 }
