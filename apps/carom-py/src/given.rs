@@ -60,14 +60,15 @@ pub(crate) fn rows(py: Python<'_>, what: &str, columns: &[Given<'_>]) -> PyResul
                 continue;
             }
             let allowed = match (low.is_finite(), high.is_finite()) {
-                (true, true) => format!("a number from {low} to {high}"),
-                (true, false) => format!("a number of at least {low}"),
-                (false, true) => format!("a number of at most {high}"),
+                (true, _) if low == f64::MIN_POSITIVE => "a number above 0".to_owned(),
+                (true, true) => format!("a number from {low:?} to {high:?}"),
+                (true, false) => format!("a number of at least {low:?}"),
+                (false, true) => format!("a number of at most {high:?}"),
                 (false, false) => "a finite number".to_owned(),
             };
             let kind = if value.is_finite() { ProblemKind::OutOfRange } else { ProblemKind::WrongValue };
             let mut problem =
-                Problem::new(kind, column.name, format!("row {row}: {value} is not {allowed}"), None);
+                Problem::new(kind, column.name, format!("row {row}: {value:?} is not {allowed}"), None);
             problem.allowed = [allowed].into();
             problems.push(problem);
         }

@@ -114,7 +114,9 @@ fn struck(values: &[Values<'_>], row: usize, law: Law) -> ([f64; NUMBERS], i16) 
     let [mass, inertia, arm_x, arm_y, normal_x, normal_y, vx, vy, spin, friction, restitution] =
         std::array::from_fn(|k| at(&values[k], row));
     let nothing = ([f64::NAN; NUMBERS], -1);
-    let Some(normal) = Vec2::new(normal_x, normal_y).unit() else { return nothing };
+    // Of any length: squares of very long and very short ones are no numbers.
+    let length = normal_x.abs().max(normal_y.abs());
+    let Some(normal) = Vec2::new(normal_x / length, normal_y / length).unit() else { return nothing };
     let touch = Touch { arm: Vec2::new(arm_x, arm_y), normal, friction, restitution };
     let velocity = Vec2::new(vx, vy);
     let Ok(set) = ContactSet::<1, 2>::of_free_body(mass, inertia, velocity, spin, &[touch]) else {

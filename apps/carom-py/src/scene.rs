@@ -66,11 +66,24 @@ impl Scene {
         Ok(Self { inner, file: path.to_owned(), beside: None })
     }
 
-    /// The same scene with a value in place of another, as a person writes it.
-    fn writing(&self, py: Python<'_>, path: &str, value: &str) -> PyResult<Self> {
-        let path = self.inner.canonical(path);
-        let text = self.inner.text_writing(&path, value).map_err(|problems| of_input(py, &problems))?;
+    /// The same scene with other values, as a person writes them.
+    fn writing(&self, py: Python<'_>, values: Vec<(String, String)>) -> PyResult<Self> {
+        let paths: Vec<String> = values.iter().map(|(path, _)| self.inner.canonical(path)).collect();
+        let values: Vec<(&str, &str)> =
+            paths.iter().zip(&values).map(|(path, (_, value))| (path.as_str(), value.as_str())).collect();
+        let text = self.inner.text_writing_all(&values).map_err(|problems| of_input(py, &problems))?;
         Self::of(py, &self.file, &text, self.beside.clone())
+    }
+
+    /// A path with a plate's number replaced by its name.
+    fn canonical(&self, path: &str) -> String {
+        self.inner.canonical(path)
+    }
+
+    /// The files that it names; None where they are on the disk.
+    #[getter]
+    fn files(&self) -> Option<InMemory> {
+        self.beside.clone()
     }
 
     /// The file that it was read from, or its name.

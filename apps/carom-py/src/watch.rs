@@ -77,10 +77,14 @@ pub(crate) fn long<T: Send>(
                 return Err(error);
             }
         }
-        worker.join().map_err(|panic| {
+        let found = worker.join().map_err(|panic| {
             let words = panic.downcast_ref::<String>().map(String::as_str);
             of_fault(words.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("it panicked"))
-        })
+        })?;
+        // The end is told too: a bar that stops before it looks as if something was lost.
+        let done = watch.done.load(Ordering::Relaxed);
+        progress.map(|hear| hear.call1((done.max(pieces.unwrap_or(done)), pieces))).transpose()?;
+        Ok(found)
     })
 }
 

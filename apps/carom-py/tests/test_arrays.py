@@ -95,6 +95,23 @@ def test_faults_of_shape_and_kind() -> None:
     assert "law" in problems(carom.impacts, mass=1, inertia=1, arm=(0, -1), velocity=(0, -1), law="newtn")[0].message
 
 
+def test_masked_places_are_told() -> None:
+    masked = np.ma.MaskedArray([0.1, 0.5], mask=[False, True])
+    assert problems(carom.drops, CASE, {"contact.friction": masked})[0].message.startswith("row 1: NaN")
+
+
+def test_all_faults_of_impacts_are_told() -> None:
+    wrong = problems(carom.impacts, mass="x", inertia=[[1]], arm=(1,), velocity=[(0, 1), (1,)])
+    assert {one.path for one in wrong} == {"mass", "inertia", "arm", "velocity"}
+    assert "above 0" in problems(carom.impacts, mass=0, inertia=1, arm=(0, -1), velocity=(0, -1))[0].message
+
+
+def test_a_normal_has_any_length() -> None:
+    columns = {"mass": 1, "inertia": 0.4, "arm": (0, -1), "velocity": (0, -1), "restitution": 0.5}
+    for length in (1e-200, 1, 1e200):
+        assert carom.impacts(**columns, normal=(0, length))["velocity_y_m_s"].tolist() == [0.5]  # type: ignore[arg-type]
+
+
 def test_every_kind_of_array_is_taken() -> None:
     values = np.linspace(0.05, 0.17, 7)
     plain = carom.drops(CASE, {"contact.friction": values})
@@ -130,7 +147,9 @@ def test_arrow_readers_see_the_same() -> None:
     polars = pytest.importorskip("polars")
     assert polars.DataFrame(table)["ending"].to_list() == table["ending"].tolist()
     pandas = pytest.importorskip("pandas")
-    assert pandas.DataFrame.from_arrow(table)["ending"].tolist() == table["ending"].tolist() if hasattr(pandas.DataFrame, "from_arrow") else True
+    assert pandas.DataFrame.from_arrow(table)["ending"].tolist() == table["ending"].tolist()
+    assert pandas.DataFrame(dict(table))["ending"].tolist() == table["ending"].tolist()
+    assert np.asarray(table)["ending"].tolist() == table["ending"].tolist()
     duckdb = pytest.importorskip("duckdb")
     assert duckdb.sql("select ending from arrow where margin > 0.1 order by ending").fetchall() == [("same side",), ("stuck",)]
 

@@ -58,7 +58,10 @@ def test_an_error_of_progress_stops_the_work() -> None:
 def test_progress_is_told() -> None:
     heard: list[tuple[int, int | None]] = []
     carom.drops(CASE, {"contact.friction": np.full(20_000, 0.15)}, progress=lambda done, pieces: heard.append((done, pieces)))
-    assert heard and all(pieces == 20_000 for _, pieces in heard) and heard == sorted(heard)
+    assert all(pieces == 20_000 for _, pieces in heard) and heard == sorted(heard)
+    assert heard[-1] == (20_000, 20_000), "the end is told"
+    with pytest.raises(TypeError, match="progress"):
+        carom.drops(CASE, {"contact.friction": 0.15}, progress="x")  # type: ignore[arg-type]
 
 
 def test_the_line_of_progress_is_taken_away(capfd: pytest.CaptureFixture[str]) -> None:

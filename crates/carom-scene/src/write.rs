@@ -1,9 +1,10 @@
 //! Writing one value into the text of a scene, as a person types it.
 
 use crate::editing::{after, as_toml};
-use crate::problem::Problems;
+use crate::problem::{Problem, ProblemKind, Problems};
 use crate::scene::{NamedQuantity, Scene};
 use crate::visit::unknown;
+use std::ops::Range;
 
 impl Scene {
     /// The text of the scene with a quantity written as somebody typed it: `0.2`, `25 ± 0.5 deg`, `{ low = "1 mm", high = "2 mm" }`. What the
@@ -25,18 +26,61 @@ impl Scene {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn text_writing(&self, path: &str, value: &str) -> Result<String, Problems> {
+        self.text_writing_all(&[(path, value)])
+    }
+
+    /// As [`Scene::text_writing`], with several quantities at once: what belongs together need not be right one by one.
+    ///
+    /// # Errors
+    /// Every path that the scene does not have, and every one that is named twice.
+    ///
+    /// # Example
+    /// A shorter rod needs a smaller inertia.
+    /// ```
+    /// use carom_scene::Scene;
+    /// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+    /// let text = scene.text_writing_all(&[("part.length", "50 mm"), ("part.inertia", "6e-5 kg m^2")])?;
+    /// assert!(Scene::parse("short.toml", &text).is_ok());
+    /// assert!(Scene::parse("short.toml", &scene.text_writing("part.length", "50 mm")?).is_err());
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn text_writing_all(&self, values: &[(&str, &str)]) -> Result<String, Problems> {
         let all = self.quantities();
         let paths: Vec<&str> = all.iter().map(|quantity| quantity.path.as_str()).collect();
-        let Some(quantity) = all.iter().find(|quantity| quantity.path == path) else {
-            return Err(Problems::new(self.file(), self.source(), vec![unknown(path, &paths)]));
-        };
-        let value = as_toml(value);
+        let (mut problems, mut edits): (Vec<Problem>, Vec<(Range<usize>, String)>) = (vec![], vec![]);
+        for (k, (path, value)) in values.iter().enumerate() {
+            let Some(quantity) = all.iter().find(|quantity| quantity.path == *path) else {
+                problems.push(unknown(path, &paths));
+                continue;
+            };
+            if values[..k].iter().any(|(other, _)| other == path) {
+                problems.push(Problem::new(ProblemKind::Conflict, *path, "is named twice", None));
+            }
+            let value = as_toml(value);
+            edits.push(match &quantity.span {
+                Some(span) => (span.clone(), value),
+                None => {
+                    let (at, line) = self.place_of(quantity, &all, &value);
+                    (at..at, line)
+                }
+            });
+        }
+        if !problems.is_empty() {
+            return Err(Problems::new(self.file(), self.source(), problems));
+        }
+        // From the end to the beginning, so that places before stay where they are; what comes to one place comes in its order.
+        edits.reverse();
+        edits.sort_by_key(|(place, _)| std::cmp::Reverse(place.start));
         let mut text = self.source().to_owned();
-        match &quantity.span {
-            Some(span) => text.replace_range(span.clone(), &value),
-            None => {
-                let (at, line) = self.place_of(quantity, &all, &value);
-                text.insert_str(at, &line);
+        for (place, new) in edits {
+            // A table that was begun for another value is not begun again.
+            let begun = new.strip_prefix('\n').and_then(|new| new.split_once('\n'));
+            match begun.filter(|(head, _)| head.starts_with('[') && text[place.start..].contains(*head)) {
+                Some((head, line)) => {
+                    let at = place.start + text[place.start..].find(head).unwrap_or(0) + head.len() + 1;
+                    text.insert_str(at, line);
+                }
+                None => text.replace_range(place, &new),
             }
         }
         Ok(text)
@@ -82,6 +126,26 @@ mod tests {
             let now = again.quantities().into_iter().find(|other| other.path == quantity.path).unwrap();
             assert_eq!((now.value, now.written), (quantity.value, true), "{} in\n{text}", quantity.path);
         }
+    }
+
+    #[test]
+    fn all_quantities_can_be_written_at_once() {
+        let scene = case_2();
+        let all = scene.quantities();
+        let texts: Vec<String> =
+            all.iter().map(|of| format!("{:?} {}", of.value, of.kind.dimension.si())).collect();
+        let values: Vec<(&str, &str)> =
+            all.iter().zip(&texts).map(|(of, text)| (of.path.as_str(), text.as_str())).collect();
+        for values in [values.clone(), values.into_iter().rev().collect()] {
+            let text = scene.text_writing_all(&values).unwrap();
+            let again = Scene::parse("again.toml", &text).unwrap_or_else(|problems| panic!("{problems}"));
+            let now = again.quantities();
+            assert!(now.iter().all(|of| of.written), "all of them:\n{text}");
+            assert!(now.iter().zip(&all).all(|(now, of)| now.value == of.value), "as they were:\n{text}");
+        }
+        let problems =
+            scene.text_writing_all(&[("a", "1"), ("part.mass", "1"), ("part.mass", "2"), ("b", "1")]);
+        assert_eq!(problems.unwrap_err().list.len(), 3, "two that are not there, and one twice");
     }
 
     #[test]

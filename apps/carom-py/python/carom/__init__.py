@@ -17,6 +17,12 @@ from carom._carom import __version__
 from carom._many import drops, impacts
 from carom._one import contact, design, impact, roll, run, yield_
 from carom._answer import Answer
+from carom.answers.contact import Contact
+from carom.answers.design import Design
+from carom.answers.impact import PlanarImpact, SpatialImpact
+from carom.answers.roll import PlanarRoll, SpatialRoll
+from carom.answers.run import Run
+from carom.answers.yield_ import Yield
 from carom.errors import CaromError, Problem
 from carom.scene import Quantity, Scene
 from carom.table import Table
@@ -24,10 +30,18 @@ from carom.table import Table
 __all__ = [
     "Answer",
     "CaromError",
+    "Contact",
+    "Design",
+    "PlanarImpact",
+    "PlanarRoll",
     "Problem",
     "Quantity",
+    "Run",
     "Scene",
+    "SpatialImpact",
+    "SpatialRoll",
     "Table",
+    "Yield",
     "__version__",
     "contact",
     "design",

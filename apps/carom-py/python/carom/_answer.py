@@ -25,7 +25,7 @@ class Answer:
 
     @property
     def files(self) -> dict[str, str]:
-        """What the command writes beside it, by the names of its files: pages, tables, pictures."""
+        """What the command writes, by the names of its files: the JSON, pages, tables, pictures."""
         files: dict[str, str] = self.__dict__["_files"]
         return files
 
@@ -51,11 +51,11 @@ class Answer:
         return f'<iframe srcdoc="{source}" sandbox="allow-scripts" style="width: 100%; height: 60em; border: 0"></iframe>'
 
     @classmethod
-    def _of(cls, answer: tuple[str, dict[str, str]]) -> Self:
+    def _of(cls, answer: tuple[str, dict[str, str]], file: str) -> Self:
         text, files = answer
         made: Self = _build(cls, json.loads(text))
         made.__dict__["_json"] = text
-        made.__dict__["_files"] = files
+        made.__dict__["_files"] = {file: text, **files}
         return made
 
 

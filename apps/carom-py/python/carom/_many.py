@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom import _carom
+from carom._given import Values, mapping
 from carom._progress import Progress, Told
 from carom.errors import CaromError, Problem
 from carom.scene import SceneLike, scene_of
@@ -21,7 +22,9 @@ def _columns(given: Mapping[str, Any], what: str) -> list[tuple[str, NDArray[np.
     columns: list[tuple[str, NDArray[np.float64]]] = []
     for name, values in given.items():
         try:
-            array = np.atleast_1d(np.asarray(values))
+            # A place that is masked has no number.
+            masked = isinstance(values, np.ma.MaskedArray) and values.dtype.kind in "biuf"
+            array = np.atleast_1d(np.ma.filled(values.astype(float), np.nan) if masked else np.asarray(values))
         except ValueError as error:
             problems.append(Problem(str(error), kind="wrong_value", path=name))
             continue
@@ -45,13 +48,18 @@ def drops(
     columns: Mapping[str, ArrayLike] | NDArray[Any],
     *,
     plate: str | int | None = None,
+    set: Values | None = None,
     progress: Progress = None,
 ) -> Table:
     """One drop in each design, on all cores.
 
-    ``columns`` gives quantities of the scene by their paths, SI, one value a row; one value alone stands for every row. A structured array is
-    taken as well. ``plate`` is the one whose ending is told, the last where none is given. The columns that come out are those of
+    ``columns`` gives quantities of the scene by their paths, SI (angles in rad), one value a row; one value alone stands for every row. A
+    structured array is taken as well. ``set`` gives other values to the scene first. ``plate`` is the one whose ending is told, the last where none is given. The columns that come out are those of
     ``carom sweep``: ``ending``, ``outcome``, ``impact_speed_m_s``, ``max_sliding_speed_m_s``, ``first_touch_s``, ``flat_s``, ``end_s``, ``margin``.
+
+    ``ending`` is ``same side``, ``turned`` or ``face 2`` where the part lies on the plate, ``stays`` of a disc, how the run ended where it does not
+    (``delivered``, ``stuck``, ``on end``, ``jammed``, ``missed``, ``escaped``, …), ``no such feeder`` where the values draw nothing that can be. Numbers
+    that there are not are NaN.
 
     Raises :class:`CaromError` that names rows and columns; KeyboardInterrupt within a moment of ctrl-C.
 
@@ -64,8 +72,8 @@ def drops(
         if columns.dtype.names is None:
             raise CaromError("columns: the array has no names: give a structured array or a dictionary of columns")
         columns = {name: columns[name] for name in columns.dtype.names}
-    inner = scene_of(scene)
-    given = _columns(columns, "drops")
+    inner = scene_of(scene, set)
+    given = _columns(mapping(columns, "columns"), "drops")
     with Told(progress) as hear:
         return Table(_carom.drops(inner, given, None if plate is None else str(plate), hear))
 
@@ -83,7 +91,9 @@ def impacts(
     law: Literal["poisson", "stronge", "newton"] = "poisson",
     progress: Progress = None,
 ) -> Table:
-    """Impacts of a free planar body at one contact, one a row, on all cores.
+    """Impacts of a free planar body at one contact, one a row, on all cores: the staged walk of each by the law that is asked for.
+
+    Where the laws allow other end states beside it, or it ends in none of them, :func:`impact` says so of one; no column does.
 
     ``arm`` (from the mass centre to the contact [m]), ``normal`` (out of the obstacle, of any length) and ``velocity`` of the mass centre [m/s] have
     two components: shape ``(2,)`` for all rows, or ``(n, 2)``. ``mass`` [kg], ``inertia`` [kg m²], ``spin`` [rad/s], ``friction`` and
@@ -91,7 +101,8 @@ def impacts(
 
     The columns that come out: impulses along the normal and the tangent (the normal turned a quarter clockwise), velocity and spin after, slip
     and normal velocity of the contact after, the type of the impact (1 to 7; 0 where the contact did not approach), what the impact does to
-    the energy, the margin of what was decided, and what the contact does in the end. Where the numbers overflow they are NaN.
+    the energy, the margin of what the walk decided (NaN where it decided nothing), and what the contact does in the end. Where the numbers
+    overflow all are NaN.
 
     Raises :class:`CaromError` that names rows and columns.
 
@@ -101,12 +112,24 @@ def impacts(
     ([1.0, 1.0], [3.0, 1.0])
     """
     given: dict[str, Any] = {"mass": mass, "inertia": inertia}
+    problems: list[Problem] = []
     for name, pair in {"arm": arm, "normal": normal, "velocity": velocity}.items():
-        array = np.asarray(pair)
+        try:
+            array = np.ma.asanyarray(pair) if isinstance(pair, np.ma.MaskedArray) else np.asarray(pair)
+        except ValueError as error:
+            problems.append(Problem(str(error), kind="wrong_value", path=name))
+            continue
         if array.shape[-1:] != (2,) or array.ndim > 2:
-            raise CaromError(f"impacts: {name}: has the shape {array.shape}, not (2,) or (n, 2)", [Problem("not pairs", kind="wrong_value", path=name)])
+            problems.append(Problem(f"has the shape {array.shape}, not (2,) or (n, 2)", kind="wrong_value", path=name))
+            continue
         given[f"{name}_x"], given[f"{name}_y"] = array[..., 0], array[..., 1]
     given |= {"spin": spin, "friction": friction, "restitution": restitution}
-    columns = [array for _, array in _columns(given, "impacts")]
+    columns: list[NDArray[np.float64]] = []
+    try:
+        columns = [array for _, array in _columns(given, "impacts")]
+    except CaromError as error:
+        problems += error.problems
+    if problems:
+        raise CaromError("\n".join(f"impacts: {one.path}: {one.message}" for one in problems), problems)
     with Told(progress) as hear:
         return Table(_carom.impacts(columns, law, hear))

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+import operator
+from collections.abc import Mapping, Sequence
 from typing import Literal
 
+import numpy as np
+
 from carom import _carom
-from carom._given import FileLike, read
+from carom._given import FileLike, Values, as_text, mapping, read
 from carom._progress import Progress, Told
 from carom.answers.contact import Contact
 from carom.answers.design import Design
@@ -19,7 +22,7 @@ from carom.errors import CaromError
 from carom.scene import SceneLike, scene_of
 
 
-def run(scene: SceneLike, *, set: Mapping[str, float | str] | None = None, limits: bool = False, progress: Progress = None) -> Run:
+def run(scene: SceneLike, *, set: Values | None = None, limits: bool = False, progress: Progress = None) -> Run:
     """Drops the part once, as ``carom run`` does.
 
     ``scene`` is a :class:`Scene`, a file, a text or a dictionary; ``set`` gives other values to its quantities; ``limits`` also finds how far
@@ -32,15 +35,18 @@ def run(scene: SceneLike, *, set: Mapping[str, float | str] | None = None, limit
     'stuck'
     """
     with Told(progress) as hear:
-        return Run._of(_carom.run(scene_of(scene, set), limits, hear))
+        return Run._of(_carom.run(scene_of(scene, set), limits, hear), "run.json")
 
 
 def impact(impact: FileLike) -> PlanarImpact | SpatialImpact:
-    """Resolves an impact, as ``carom impact`` does: all end states that the laws allow, and the walk that leads to one of them.
+    """Resolves an impact, as ``carom impact`` does: the staged walk, and beside it, in the plane, all end states that the laws allow.
 
     ``impact`` is a file, a text or a dictionary with the keys of the impact file; in space where its vectors have three components.
 
-    Raises :class:`CaromError` with every problem.
+    ``staged`` obeys the law that was asked for. ``end_states`` obey Poisson's, or Newton's where that was asked for: of Stronge's law, and of
+    springs, ``staged.end_states_compared`` is False and the two are other answers.
+
+    Raises :class:`CaromError` with every problem. Ctrl-C is heard when the impact is resolved.
 
     >>> import carom
     >>> ball = carom.impact({
@@ -53,7 +59,7 @@ def impact(impact: FileLike) -> PlanarImpact | SpatialImpact:
     answer = _carom.impact(*read(impact, "impact"))
     # Only in space an answer says along which axes its impulses are told.
     kind = SpatialImpact if "axes" in json.loads(answer[0]) else PlanarImpact
-    return kind._of(answer)
+    return kind._of(answer, "impact.json")
 
 
 def contact(contact: FileLike) -> Contact:
@@ -69,14 +75,14 @@ def contact(contact: FileLike) -> Contact:
     >>> carom.contact("examples/contact_painleve.toml").count
     0
     """
-    return Contact._of(_carom.contact(*read(contact, "contact")))
+    return Contact._of(_carom.contact(*read(contact, "contact")), "contact.json")
 
 
 def roll(
     kind: Literal["cylinder", "prism", "rod", "pyramid", "stool", "body"],
-    roll: FileLike = "",
+    roll: FileLike | None = None,
     *,
-    set: Mapping[str, float | str] | None = None,
+    set: Mapping[str, float | str | Sequence[float]] | None = None,
 ) -> PlanarRoll | SpatialRoll:
     """Follows what rolls through its strikes, as ``carom roll KIND`` does.
 
@@ -89,15 +95,29 @@ def roll(
     >>> len(prism.strikes)
     1
     """
-    name, text, is_json = (f"roll {kind}", "", False) if roll == "" else read(roll, f"roll {kind}")
-    answer = _carom.roll(kind, name, text, is_json, [f"{key}={value}" for key, value in (set or {}).items()])
-    return (PlanarRoll if kind in ("cylinder", "prism", "rod") else SpatialRoll)._of(answer)
+    name, text, is_json = (f"roll {kind}", "", False) if roll is None else read(roll, f"roll {kind}")
+    if roll is not None and not text.strip():
+        raise CaromError(f"roll {kind}: the text is empty: without a file everything has its default")
+    values = [f"{key}={_roll_value(key, value)}" for key, value in mapping(set or {}, "set").items()]
+    answer = _carom.roll(kind, name, text, is_json, values)
+    return (PlanarRoll if kind in ("cylinder", "prism", "rod") else SpatialRoll)._of(answer, "roll.json")
+
+
+def _roll_value(key: str, value: object) -> str:
+    """A value as the file has it; a vector is a list."""
+    if isinstance(value, np.ndarray | list | tuple):
+        return f"[{', '.join(as_text(key, one, '') for one in np.asarray(value).tolist())}]"
+    return as_text(key, value, "")
 
 
 def _within(name: str, value: int, low: int, high: int) -> int:
-    if not low <= value <= high:
-        raise CaromError(f"{name}: {value} is outside {low} to {high}")
-    return int(value)
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise CaromError(f"{name}: expected a whole number, not {value!r}") from None
+    if not low <= whole <= high:
+        raise CaromError(f"{name}: {whole} is outside {low} to {high}")
+    return whole
 
 
 def yield_(
@@ -107,7 +127,7 @@ def yield_(
     seed: int = 1,
     plate: str | int | None = None,
     plain: bool = False,
-    set: Mapping[str, float | str] | None = None,
+    set: Values | None = None,
     progress: Progress = None,
 ) -> Yield:
     """With what probability drops end as wanted under the tolerances of the scene, as ``carom yield`` finds it.
@@ -122,13 +142,22 @@ def yield_(
     >>> 0.5 < found.yield_.share <= 1
     True
     """
-    _within("samples", samples, 16, 1 << 34)
+    samples = _within("samples", samples, 16, 1 << 34)
+    seed = _within("seed", seed, 0, (1 << 64) - 1)
     with Told(progress) as hear:
         plate = None if plate is None else str(plate)
-        return Yield._of(_carom.yields(scene_of(scene, set), samples, seed, plain, plate, hear))
+        return Yield._of(_carom.yields(scene_of(scene, set), samples, seed, plain, plate, hear), "yield.json")
 
 
-def design(scene: SceneLike, *, scan: int = 4096, samples: int = 16_384, seed: int = 1, progress: Progress = None) -> Design:
+def design(
+    scene: SceneLike,
+    *,
+    scan: int = 4096,
+    samples: int = 16_384,
+    seed: int = 1,
+    set: Values | None = None,
+    progress: Progress = None,
+) -> Design:
     """Which layout makes drops end as wanted, as ``carom design`` finds it: the scene says in ``[design]`` what may be chosen.
 
     ``scan`` layouts are looked at first; ``samples`` drops confirm the winner.
@@ -140,7 +169,8 @@ def design(scene: SceneLike, *, scan: int = 4096, samples: int = 16_384, seed: i
     >>> "design.toml" in found.files
     True
     """
-    _within("scan", scan, 16, 1 << 24)
-    _within("samples", samples, 16, 1 << 34)
+    scan = _within("scan", scan, 16, 1 << 24)
+    samples = _within("samples", samples, 16, 1 << 34)
+    seed = _within("seed", seed, 0, (1 << 64) - 1)
     with Told(progress) as hear:
-        return Design._of(_carom.design(scene_of(scene), scan, samples, seed, hear))
+        return Design._of(_carom.design(scene_of(scene, set), scan, samples, seed, hear), "design.json")

@@ -46,6 +46,8 @@ class Told:
         self.hear: Callable[[int, int | None], object] | None = self.line
         if callable(progress):
             self.hear = progress
+        elif progress not in (True, False, None):
+            raise TypeError(f"progress: expected True, or a function of two numbers, not {progress!r}")
 
     def __enter__(self) -> Callable[[int, int | None], object] | None:
         return self.hear

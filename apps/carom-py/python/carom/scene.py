@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 from carom import _carom
-from carom._given import as_json, is_path
+from carom.errors import CaromError
+from carom._given import Values, as_json, as_text, is_path, mapping
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,11 @@ class Scene:
         """
         beside = None if files is None else dict(files)
         if isinstance(text, str):
+            if is_path(text) and text.endswith(".toml"):
+                raise CaromError(f"{text} is the name of a file: Scene.read reads it")
             self._inner = _carom.Scene(text, name, False, beside)
+        elif not isinstance(text, Mapping):
+            raise CaromError(f"a scene is a text or a dictionary, not {type(text).__name__}: Scene.read reads a file")
         else:
             self._inner = _carom.Scene(as_json(text), name, True, beside)
 
@@ -68,24 +73,16 @@ class Scene:
         made._inner = inner
         return made
 
-    def set(self, values: Mapping[str, float | str]) -> Scene:
-        """The same scene with other values: numbers are SI, text has a unit and may have a tolerance, ``"12 ± 0.5 deg"``."""
-        inner = self._inner
-        units = {quantity.path: quantity.unit for quantity in self.quantities}
-        for path, value in values.items():
-            known = self._path(path)
-            text = value if isinstance(value, str) else f"{float(value)!r} {units.get(known, '')}".strip()
-            inner = inner.writing(path, text)
-        return self._of(inner)
+    def set(self, values: Values) -> Scene:
+        """The same scene with other values: numbers are SI, text has a unit and may have a tolerance, ``"12 ± 0.5 deg"``.
 
-    def _path(self, path: str) -> str:
-        """A path with a plate's number replaced by its name."""
-        first, _, rest = path.partition(".")
-        number, _, key = rest.partition(".")
-        plates = self.plates
-        if first == "plate" and number.isdigit() and int(number) < len(plates) and plates[int(number)]:
-            return f"plate.{plates[int(number)]}.{key}"
-        return path
+        All values are written first and checked together then. A number takes a tolerance that was written away.
+
+        Raises :class:`CaromError` with every problem; lines are those of :attr:`text` with the values in it.
+        """
+        units = {quantity.path: quantity.unit for quantity in self.quantities}
+        written = [(path, as_text(path, value, units.get(self._inner.canonical(path), ""))) for path, value in mapping(values, "set").items()]
+        return self._of(self._inner.writing(written))
 
     @property
     def name(self) -> str:
@@ -108,14 +105,22 @@ class Scene:
         return [Quantity(**one) for one in json.loads(self._inner.quantities())]
 
     def __getitem__(self, path: str) -> Quantity:
-        known = self._path(path)
+        known = self._inner.canonical(path)
         found = next((quantity for quantity in self.quantities if quantity.path == known), None)
         if found is None:
             raise KeyError(f"{path} is none of {', '.join(quantity.path for quantity in self.quantities)}")
         return found
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_again, (self.text, self._inner.file))
+        return (_again, (self.text, self._inner.file, self._inner.files))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return (self.text, self.name, self._inner.files) == (other.text, other.name, other._inner.files)
+
+    def __hash__(self) -> int:
+        return hash((self.text, self.name))
 
     def __repr__(self) -> str:
         return f"carom.Scene({self.name!r})"
@@ -124,20 +129,22 @@ class Scene:
         return self._inner.layout()
 
 
-def _again(text: str, file: str) -> Scene:
-    return Scene(text, name=file)
+def _again(text: str, file: str, files: dict[str, bytes] | None) -> Scene:
+    return Scene(text, name=file, files=files)
 
 
 #: A scene, or what it can be read from: a file, a text, a dictionary with the keys of the file.
 SceneLike: TypeAlias = Scene | str | os.PathLike[str] | Mapping[str, Any]
 
 
-def scene_of(given: SceneLike, values: Mapping[str, float | str] | None = None) -> _carom.Scene:
+def scene_of(given: SceneLike, values: Values | None = None) -> _carom.Scene:
     """The scene that was given, with other values."""
     if isinstance(given, Scene):
         scene = given
     elif isinstance(given, Mapping):
         scene = Scene(given)
+    elif not isinstance(given, str | os.PathLike):
+        raise CaromError(f"a scene is a Scene, a file, a text or a dictionary, not {type(given).__name__}")
     elif is_path(given):
         scene = Scene.read(given)
     else:

@@ -16,7 +16,8 @@ class Table:
     """A table whose columns NumPy, pandas, polars, DuckDB and pyarrow read.
 
     A column is ``table["flat_s"]``: numbers as ``float64``, NaN where there is none; words as text, None where there is none. All of it goes
-    to another library by Arrow: ``polars.DataFrame(table)``, ``pyarrow.table(table)``, ``duckdb.sql("select ending from table")``.
+    to another library by Arrow: ``polars.DataFrame(table)``, ``pandas.DataFrame.from_arrow(table)`` (or of ``dict(table)``, which older ones take),
+    ``pyarrow.table(table)``; DuckDB asks a name that holds it. :meth:`to_numpy` makes one structured array of it.
 
     >>> import carom
     >>> table = carom.drops("examples/case_2.toml", {"contact.friction": [0.05, 0.15, 0.5]})
@@ -73,6 +74,10 @@ class Table:
         for name, column in columns.items():
             whole[name] = column if column.dtype != object else np.where(column == None, "", column)  # noqa: E711
         return whole
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        whole = self.to_numpy()
+        return whole if dtype is None else whole.astype(dtype)
 
     def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
         return self._inner.__arrow_c_stream__(requested_schema)
