@@ -27,8 +27,8 @@ test("a layout is searched with progress, the winner is taken, and undo brings t
   assert.match(await page.locator(".design .lead").textContent(), /^9\d\.\d\d % /, "most drops end as wanted");
   assert.ok((await page.locator(".candidate path").count()) >= 2, "candidates have pictures");
   await page.locator(".candidate button").first().click();
+  await page.locator("#tab-motion[aria-selected=true]").waitFor();
   await until(page, "turned");
-  assert.equal(await page.locator("#tab-motion").getAttribute("aria-selected"), "true");
   const taken = await page.locator(".source textarea").inputValue();
   assert.notEqual(taken, before, "the winner is another layout");
   await page.locator("#undo").click();
