@@ -136,12 +136,15 @@ function Slider({ quantity }: { quantity: Quantity }) {
 function Field({ quantity }: { quantity: Quantity }) {
   const { path, text, written } = quantity;
   const draft = useSignal(text);
+  // What is being typed stays, whatever answer comes meanwhile.
+  const typing = useRef(false);
   useEffect(() => {
-    if (failure.peek()?.tried !== path) draft.value = text;
+    if (!typing.current && failure.peek()?.tried !== path) draft.value = text;
   }, [text, doc.value.text]);
   const wrong = failure.value?.tried === path ? failure.value : undefined;
   const found = limits.value.get(path);
   const keep = (value: string) => {
+    typing.current = false;
     // An emptied field takes back what it had, or where the file may leave it out its line goes.
     const goes = value.trim() === "" && !ofScene();
     draft.value = value.trim() === "" && !goes ? text : value;
@@ -169,11 +172,14 @@ function Field({ quantity }: { quantity: Quantity }) {
           autocomplete="off"
           aria-invalid={wrong !== undefined}
           aria-describedby={wrong === undefined ? undefined : `${id}-wrong`}
-          onInput={(event) => (draft.value = event.currentTarget.value)}
+          onInput={(event) => {
+            typing.current = true;
+            draft.value = event.currentTarget.value;
+          }}
           onBlur={(event) => keep(event.currentTarget.value)}
           onKeyDown={(event) => {
             if (event.key === "Enter") keep(event.currentTarget.value);
-            if (event.key === "Escape") draft.value = text;
+            if (event.key === "Escape") [typing.current, draft.value] = [false, text];
             const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
             if (by === undefined || !quantity.number || text.startsWith("{")) return;
             event.preventDefault();
