@@ -8,9 +8,7 @@ import json
 import types
 import typing
 from pathlib import Path
-from typing import Any, Self, TypeVar
-
-T = TypeVar("T")
+from typing import Any, Self
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)

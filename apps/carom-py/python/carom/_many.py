@@ -16,9 +16,8 @@ from carom.scene import SceneLike, scene_of
 from carom.table import Table
 
 
-def _columns(given: Mapping[str, Any], what: str) -> list[tuple[str, NDArray[np.float64]]]:
-    """Columns of numbers; all that are none are told together."""
-    problems: list[Problem] = []
+def _columns(given: Mapping[str, Any], what: str, problems: list[Problem]) -> list[tuple[str, NDArray[np.float64]]]:
+    """Columns of numbers; all that are none are told together, with the problems that are known already."""
     columns: list[tuple[str, NDArray[np.float64]]] = []
     for name, values in given.items():
         try:
@@ -73,7 +72,7 @@ def drops(
             raise CaromError("columns: the array has no names: give a structured array or a dictionary of columns")
         columns = {name: columns[name] for name in columns.dtype.names}
     inner = scene_of(scene, set)
-    given = _columns(mapping(columns, "columns"), "drops")
+    given = _columns(mapping(columns, "columns"), "drops", [])
     with Told(progress) as hear:
         return Table(_carom.drops(inner, given, None if plate is None else str(plate), hear))
 
@@ -124,12 +123,6 @@ def impacts(
             continue
         given[f"{name}_x"], given[f"{name}_y"] = array[..., 0], array[..., 1]
     given |= {"spin": spin, "friction": friction, "restitution": restitution}
-    columns: list[NDArray[np.float64]] = []
-    try:
-        columns = [array for _, array in _columns(given, "impacts")]
-    except CaromError as error:
-        problems += error.problems
-    if problems:
-        raise CaromError("\n".join(f"impacts: {one.path}: {one.message}" for one in problems), problems)
+    columns = [array for _, array in _columns(given, "impacts", problems)]
     with Told(progress) as hear:
         return Table(_carom.impacts(columns, law, hear))
