@@ -1,20 +1,14 @@
 //! A scene's quantities and plates, as options name them.
 
 use crate::regions::keys::{Complaints, Key};
+use carom::tasks;
 use carom_scene::unit::Dimension;
 use carom_scene::{Scene, labelled};
-use carom_words::part;
 
 /// The number of the plate that is looked at.
 pub(crate) fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
-    let plates = &scene.feeder().plates;
-    let Some(named) = named else { return plates.len() - 1 };
-    let by_name = plates.iter().position(|plate| plate.name == named);
-    let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
-    found.unwrap_or_else(|| {
-        let names: Vec<String> =
-            (0..plates.len()).map(|plate| part::obstacle(scene.feeder(), plate)).collect();
-        complaints.push("--plate", format!("\"{named}\" is none of {}", names.join(", ")));
+    tasks::plate(scene, named).unwrap_or_else(|message| {
+        complaints.push("--plate", message);
         0
     })
 }

@@ -2,8 +2,8 @@
 
 use crate::failure::{of_input, of_words};
 use crate::watch::pool;
+use carom::tasks;
 use carom_scene::{Problem, ProblemKind, Problems, Scene};
-use carom_words::part;
 use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -13,15 +13,7 @@ const MOST_TOLD: usize = 10;
 
 /// The number of the plate that is looked at: by its name or its number, the last one where none is given.
 pub(crate) fn plate(py: Python<'_>, scene: &Scene, given: Option<&str>) -> PyResult<usize> {
-    let plates = &scene.feeder().plates;
-    let Some(given) = given else { return Ok(plates.len() - 1) };
-    let by_name = plates.iter().position(|plate| &*plate.name == given);
-    let found = by_name.or_else(|| given.parse().ok().filter(|number| *number < plates.len()));
-    found.ok_or_else(|| {
-        let names: Vec<String> =
-            (0..plates.len()).map(|plate| part::obstacle(scene.feeder(), plate)).collect();
-        of_words(py, &format!("plate: \"{given}\" is none of {}", names.join(", ")))
-    })
+    tasks::plate(scene, given).map_err(|message| of_words(py, &format!("plate: {message}")))
 }
 
 /// The values of a column, where the array has them.

@@ -179,6 +179,31 @@ pub fn run_files(
     Ok(files)
 }
 
+/// The number of the plate that is looked at, by its name or its number; the last one where none is named.
+///
+/// # Errors
+/// What there is, where that is none of it.
+///
+/// # Example
+/// ```
+/// use carom::{prelude::*, tasks};
+/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// assert_eq!((tasks::plate(&scene, Some("upper")), tasks::plate(&scene, None)), (Ok(0), Ok(1)));
+/// assert!(tasks::plate(&scene, Some("third")).unwrap_err().starts_with("\"third\" is none of"));
+/// # Ok::<(), carom::Error>(())
+/// ```
+pub fn plate(scene: &Scene, named: Option<&str>) -> Result<usize, String> {
+    let plates = &scene.feeder().plates;
+    let Some(named) = named else { return Ok(plates.len() - 1) };
+    let by_name = plates.iter().position(|plate| plate.name == named);
+    let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
+    found.ok_or_else(|| {
+        let names: Vec<String> =
+            (0..plates.len()).map(|plate| part::obstacle(scene.feeder(), plate)).collect();
+        format!("\"{named}\" is none of {}", names.join(", "))
+    })
+}
+
 /// What a scene wants of a part, in words; `None` where it wants nothing.
 pub fn wants(scene: &Scene) -> Option<String> {
     let wants = scene.wants().iter().enumerate().filter_map(|(plate, want)| {
