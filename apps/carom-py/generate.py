@@ -22,12 +22,43 @@ ANSWERS = {
     "yield": {"carom yield": "Yield"},
     "design": {"carom design": "Design"},
 }
+#: The module of what several schemas define alike.
+SHARED = "shared"
 WIDTH = 110
+
+
+def schema_of(name: str) -> dict[str, Any]:
+    root: dict[str, Any] = json.loads((SCHEMAS / f"carom-{name}.schema.json").read_text())
+    return root
+
+
+def referred(node: Any) -> set[str]:
+    """The definitions that a schema refers to."""
+    if isinstance(node, list):
+        return set().union(*map(referred, node))
+    if not isinstance(node, dict):
+        return set()
+    own = {node["$ref"].rsplit("/", 1)[1]} if "$ref" in node else set()
+    return own.union(*map(referred, node.values()))
+
+
+def shared() -> dict[str, Any]:
+    """Definitions that several answers have, all alike, and that refer to nothing else."""
+    every = [schema_of(name).get("$defs", {}) for name in ANSWERS]
+    roots = {root for of in ANSWERS.values() for root in of}
+    found: dict[str, Any] = {}
+    for name in sorted({name for of in every for name in of} - roots):
+        having = [of[name] for of in every if name in of]
+        if len(having) > 1 and all(one == having[0] for one in having):
+            found[name] = having[0]
+    while astray := {name for name, node in found.items() if not referred(node) <= set(found)}:
+        found = {name: node for name, node in found.items() if name not in astray}
+    return found
 
 
 def name_of(schema: str, definition: str) -> str:
     """What a definition is called in Python."""
-    return ANSWERS[schema].get(definition) or definition.removesuffix("Report") or definition
+    return ANSWERS.get(schema, {}).get(definition) or definition.removesuffix("Report") or definition
 
 
 def literal(words: list[Any]) -> str:
@@ -82,22 +113,23 @@ def class_of(schema: str, name: str, node: dict[str, Any], base: str) -> list[st
     return [*lines, "", ""]
 
 
-def module(schema: str) -> str:
-    root = json.loads((SCHEMAS / f"carom-{schema}.schema.json").read_text())
-    roots = ANSWERS[schema]
-    lines = [
-        f'"""Answers of `carom {schema}`. Written by `generate.py` from its schema."""',
-        "",
-        "from __future__ import annotations",
-        "",
-        "from dataclasses import dataclass",
-        "from typing import Literal",
-        "",
-        "from carom._answer import Answer",
-        "",
-        "",
-    ]
-    for name, node in root.get("$defs", {}).items():
+def module(schema: str, common: dict[str, Any]) -> str:
+    """The text of a module: of the answers of a command, or of what they share."""
+    root = {"$defs": common} if schema == SHARED else schema_of(schema)
+    roots = ANSWERS.get(schema, {})
+    own = {name: node for name, node in root.get("$defs", {}).items() if schema == SHARED or name not in common}
+    about = "What answers of several commands share. Written by `generate.py` from their schemas."
+    if schema != SHARED:
+        about = f"Answers of `carom {schema}`. Written by `generate.py` from its schema."
+    lines = [f'"""{about}"""', "", "from __future__ import annotations", "", "from dataclasses import dataclass", "from typing import Literal", ""]
+    if schema != SHARED:
+        lines += ["from carom._answer import Answer"]
+        outside = referred(own).union(referred(root.get("properties"))) & set(common)
+        names = sorted(name_of(schema, name) for name in outside)
+        if names:
+            lines += [f"from carom.answers.{SHARED} import (", *(f"    {name}," for name in names), ")"]
+    lines += ["", ""]
+    for name, node in own.items():
         if "properties" in node:
             lines += class_of(schema, name_of(schema, name), node, "(Answer)" if name in roots else "")
         else:
@@ -111,9 +143,10 @@ def module(schema: str) -> str:
 def main() -> int:
     PLACE.mkdir(parents=True, exist_ok=True)
     wrong = []
-    for schema in ANSWERS:
+    common = shared()
+    for schema in [SHARED, *ANSWERS]:
         place = PLACE / f"{schema}_.py" if keyword.iskeyword(schema) else PLACE / f"{schema}.py"
-        text = module(schema)
+        text = module(schema, common)
         if sys.argv[1:] == ["check"]:
             if not place.is_file() or place.read_text() != text:
                 wrong.append(str(place))

@@ -6,26 +6,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from carom._answer import Answer
-
-
-@dataclass(frozen=True, kw_only=True)
-class Approximation:
-    """One way in which the computed part differs from the drawn one."""
-
-    amount: float
-    """How far it differs: the greatest distance from the outline."""
-    kind: ApproximationKind
-    """What stands in for the outline."""
-    of: Literal["part"]
-    """What is approximated: `part`."""
-    text: str
-    """The same in a sentence."""
-    unit: Literal["m"]
-    """Unit of the amount: `m`."""
-
-
-ApproximationKind = Literal["chords"]
-"""What stands in for a drawn outline."""
+from carom.answers.shared import (
+    Approximation,
+    Exit,
+    Probability,
+    StudyRun,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,26 +63,6 @@ class DesignWorst:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Exit:
-    """How the part left."""
-
-    angle_rad: float
-    """Angle of the part from its drawing [rad]."""
-    spin_rad_s: float
-    """Spin [rad/s]."""
-    t_s: float
-    """Time [s]."""
-    vx_m_s: float
-    """Velocity of the mass centre [m/s]."""
-    vy_m_s: float
-    """Velocity of the mass centre [m/s]."""
-    x_m: float
-    """Mass centre [m]."""
-    y_m: float
-    """Mass centre [m]."""
-
-
-@dataclass(frozen=True, kw_only=True)
 class Forbidden:
     """What a demand forbids."""
 
@@ -110,32 +76,6 @@ class Forbidden:
     """The limit, SI; null where the demand has no measure."""
     nearest: float | None = None
     """The nearest to the limit of these, SI; null where there is none, or the demand has no measure."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Probability:
-    """A probability with its 95 % interval."""
-
-    count: int
-    """How many samples."""
-    high: float
-    """Upper end of the interval."""
-    low: float
-    """Lower end of the interval."""
-    share: float
-    """Share of the samples."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class StudyRun:
-    """What a study took: kept apart from what it found, which is the same on every machine."""
-
-    drops: int
-    """Drops that were followed."""
-    seconds: float
-    """Time it took [s]."""
-    threads: int
-    """Threads that worked on it."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,18 +6,15 @@ from dataclasses import dataclass
 from typing import Literal
 
 from carom._answer import Answer
-
-
-@dataclass(frozen=True, kw_only=True)
-class Body:
-    """One of several bodies after an impact."""
-
-    name: str
-    """Its name."""
-    spin_rad_s: float
-    """Spin after [rad/s]."""
-    velocity_m_s: list[float]
-    """Velocity of its mass centre after [m/s]."""
+from carom.answers.shared import (
+    Body,
+    EndContact,
+    EndState,
+    ImpactOutcome,
+    Inequality,
+    Rejected,
+    Uniqueness,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,24 +32,6 @@ class Deciders:
 
 
 @dataclass(frozen=True, kw_only=True)
-class EndContact:
-    """One contact at the end."""
-
-    name: str
-    """Its name."""
-    normal_impulse_N_s: float
-    """Normal impulse on the body [N s]."""
-    normal_velocity_m_s: float
-    """Normal velocity after [m/s]."""
-    slip_m_s: float
-    """Slip after [m/s]."""
-    state: Literal["separates", "sticks", "slips"]
-    """What it does after."""
-    tangential_impulse_N_s: float
-    """Tangential impulse on the body [N s]."""
-
-
-@dataclass(frozen=True, kw_only=True)
 class End:
     """Where an impact ends."""
 
@@ -64,34 +43,6 @@ class End:
     """Kinetic energy after [J]; null without a body."""
     energy_before_J: float | None = None
     """Kinetic energy before [J]; null without a body."""
-    spin_rad_s: float | None = None
-    """Spin of the body after [rad/s]; null without a body."""
-    velocity_m_s: list[float] | None = None
-    """Velocity of the body after [m/s]; null without a body."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class EndState:
-    """A consistent end state."""
-
-    bodies: list[Body]
-    """Where several bodies meet: each of them; else empty."""
-    contacts: list[EndContact]
-    """The contacts, in the order given."""
-    energy_after_J: float | None = None
-    """Kinetic energy after [J]; null without a body."""
-    energy_before_J: float | None = None
-    """Kinetic energy before [J]; null without a body."""
-    gained_energy: bool
-    """True where the impulses do positive work: restitution created energy."""
-    hypothesis: str
-    """What each contact does: "A slips+, B sticks"."""
-    indeterminate: bool
-    """The impulses are not determined, the motion is; but where uniqueness is not examined and there is
-    restitution by Poisson's law, which multiplies the impulses that were taken, the motion may be open too.
-    """
-    margin: float | None = None
-    """Smallest slack divided by the sum of its terms' magnitudes."""
     spin_rad_s: float | None = None
     """Spin of the body after [rad/s]; null without a body."""
     velocity_m_s: list[float] | None = None
@@ -162,39 +113,6 @@ ImpactFailure = Literal["too_many", "refused", "overflow", "unending", "circling
 """Why an impact has no walk."""
 
 
-ImpactOutcome = Literal["unique", "several", "path_dependent", "none", "unresolved", "found", "not_found"]
-"""Whether an impact has one answer."""
-
-
-InequalityKind = Literal["normal_impulse", "normal_force", "normal_velocity", "normal_acceleration", "friction_cone", "slip_direction", "equations"]
-"""What an inequality is about."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Inequality:
-    """The inequality that a hypothesis breaks most, and by how much."""
-
-    amount: float | None = None
-    """By how much it is broken, > 0; null for equations, where numbers overflow, and for a stage in space, which
-    knows its share.
-    """
-    contact: str | None = None
-    """The contact; null for equations."""
-    kind: InequalityKind
-    """What it is about."""
-    phase: Literal["compression", "restitution"] | None = None
-    """compression (or the one step of Newton's law) or restitution; null for forces, and for the law under which
-    nothing slides.
-    """
-    share: float | None = None
-    """The amount divided by the magnitudes of all that it is a difference of: near 0 a close call, 1 where
-    nothing speaks for the hypothesis; null where numbers overflow, and for the law under which nothing
-    slides.
-    """
-    unit: Literal["N s", "N", "m/s", "m/s^2", ""]
-    """The unit of the amount: N s, N, m/s or m/s^2; empty for equations."""
-
-
 @dataclass(frozen=True, kw_only=True)
 class OpenShare:
     """What another share of compression leaves: restitution multiplies the share that is taken."""
@@ -205,20 +123,6 @@ class OpenShare:
     """Where that ends."""
     takes: ShareTaken
     """Which share it takes."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Rejected:
-    """A hypothesis that is not consistent."""
-
-    because: str
-    """The inequality that fails, in words."""
-    hypothesis: str
-    """What each contact was supposed to do."""
-    inequality: Inequality
-    """The same as data."""
-    slips: list[Literal["open", "sticks", "slips+", "slips-"]]
-    """The same as data, in the order of the contacts: while the impulse grows, or from now on under forces."""
 
 
 ShareTaken = Literal["least", "middle", "most"]
@@ -451,10 +355,6 @@ class Staged:
     """Velocity of the body after [m/s]; null without a body."""
     without_approach: bool
     """True where friction, not approach, forced the impact."""
-
-
-Uniqueness = Literal["examined", "not_examined"]
-"""Whether every end state was examined."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,40 +6,15 @@ from dataclasses import dataclass
 from typing import Literal
 
 from carom._answer import Answer
-
-
-@dataclass(frozen=True, kw_only=True)
-class Accumulation:
-    """Infinitely many impacts in finite time."""
-
-    from_s: float
-    """The first impact counted [s]."""
-    to_s: float
-    """Their limit [s]."""
+from carom.answers.shared import (
+    Accumulation,
+    Approximation,
+    Exit,
+)
 
 
 AmountUnit = Literal["m", "m/s", "N", "1/kg", "J", "1"]
 """The unit of an amount, SI."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Approximation:
-    """One way in which the computed part differs from the drawn one."""
-
-    amount: float
-    """How far it differs: the greatest distance from the outline."""
-    kind: ApproximationKind
-    """What stands in for the outline."""
-    of: Literal["part"]
-    """What is approximated: `part`."""
-    text: str
-    """The same in a sentence."""
-    unit: Literal["m"]
-    """Unit of the amount: `m`."""
-
-
-ApproximationKind = Literal["chords"]
-"""What stands in for a drawn outline."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,26 +67,6 @@ class Decided:
     """What it was."""
     t_s: float | None = None
     """When [s]; null where nothing was decided."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Exit:
-    """How the part left."""
-
-    angle_rad: float
-    """Angle of the part from its drawing [rad]."""
-    spin_rad_s: float
-    """Spin [rad/s]."""
-    t_s: float
-    """Time [s]."""
-    vx_m_s: float
-    """Velocity of the mass centre [m/s]."""
-    vy_m_s: float
-    """Velocity of the mass centre [m/s]."""
-    x_m: float
-    """Mass centre [m]."""
-    y_m: float
-    """Mass centre [m]."""
 
 
 @dataclass(frozen=True, kw_only=True)

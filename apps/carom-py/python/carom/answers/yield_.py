@@ -6,26 +6,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 from carom._answer import Answer
-
-
-@dataclass(frozen=True, kw_only=True)
-class Approximation:
-    """One way in which the computed part differs from the drawn one."""
-
-    amount: float
-    """How far it differs: the greatest distance from the outline."""
-    kind: ApproximationKind
-    """What stands in for the outline."""
-    of: Literal["part"]
-    """What is approximated: `part`."""
-    text: str
-    """The same in a sentence."""
-    unit: Literal["m"]
-    """Unit of the amount: `m`."""
-
-
-ApproximationKind = Literal["chords"]
-"""What stands in for a drawn outline."""
+from carom.answers.shared import (
+    Approximation,
+    Probability,
+    Spread,
+    StudyRun,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,20 +35,6 @@ class FaceShare:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Histogram:
-    """How often a measure takes which values."""
-
-    above: int
-    """Samples above the last edge."""
-    below: int
-    """Samples below the first edge: far from the others."""
-    counts: list[int]
-    """Samples from each edge up to below the next; the last bin holds its upper edge too."""
-    edges: list[float]
-    """Edges of the bins, ascending and equally far apart, one more than there are bins; in the measure's unit."""
-
-
-@dataclass(frozen=True, kw_only=True)
 class Law:
     """How the drop of the middle of all tolerances ends under another law."""
 
@@ -72,20 +44,6 @@ class Law:
     """poisson, stronge or newton."""
     restitution: float
     """Restitution on every plate and wall."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Probability:
-    """A probability with its 95 % interval."""
-
-    count: int
-    """How many samples."""
-    high: float
-    """Upper end of the interval."""
-    low: float
-    """Lower end of the interval."""
-    share: float
-    """Share of the samples."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,48 +75,6 @@ class Sensitivity:
     """That and what it does together with others."""
     total_error: float
     """Half of the 95 % interval of that."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Spread:
-    """What a measure spreads over."""
-
-    count: int
-    """Samples that have it."""
-    high: float
-    """Highest."""
-    histogram: Histogram
-    """How often which values."""
-    low: float
-    """Lowest."""
-    mean: float
-    """Arithmetic mean."""
-    median: float
-    """Half are below."""
-    p01: float
-    """One in a hundred is below."""
-    p05: float
-    """One in twenty is below."""
-    p25: float
-    """A quarter is below."""
-    p75: float
-    """A quarter is above."""
-    p95: float
-    """One in twenty is above."""
-    p99: float
-    """One in a hundred is above."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class StudyRun:
-    """What a study took: kept apart from what it found, which is the same on every machine."""
-
-    drops: int
-    """Drops that were followed."""
-    seconds: float
-    """Time it took [s]."""
-    threads: int
-    """Threads that worked on it."""
 
 
 @dataclass(frozen=True, kw_only=True)
