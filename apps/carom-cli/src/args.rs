@@ -5,8 +5,9 @@ use crate::folder_name::folder_name;
 use crate::helps::{CONTACT_HELP, FEED_HELP, FIT_HELP, IMPACT_HELP, MAP_HELP};
 use crate::schema::SchemaOptions;
 use crate::studio::StudioOptions;
-use crate::tolerance::{INTERVAL_ACCURACY, MAP_ACCURACY};
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
+use carom::tasks::feeds::INTERVALS;
+use carom::tasks::tolerance::{INTERVAL_ACCURACY, MAP_ACCURACY};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -248,7 +249,7 @@ pub(crate) struct RollOptions {
 
 /// What strikes in a region diagram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum RegionsOf {
+pub(crate) enum RegionsWord {
     /// A cylinder that rolls against a step or a second plane.
     Cylinder,
     /// A prism that rolls on over its next edge.
@@ -271,7 +272,7 @@ pub(crate) enum RegionsOf {
 pub(crate) struct RegionsOptions {
     /// What strikes; or --file.
     #[arg(value_enum, value_name = "KIND", conflicts_with = "file")]
-    pub(crate) of: Option<RegionsOf>,
+    pub(crate) of: Option<RegionsWord>,
     /// An impact file in TOML, any two numbers of which may be axes.
     #[arg(long, value_name = "IMPACT")]
     pub(crate) file: Option<PathBuf>,
@@ -348,7 +349,7 @@ pub(crate) struct FeedOptions {
     #[arg(long, value_name = "N")]
     pub(crate) parts: Option<usize>,
     /// Intervals that are asked all over the range.
-    #[arg(long, default_value_t = 400, value_name = "N")]
+    #[arg(long, default_value_t = INTERVALS, value_name = "N")]
     pub(crate) intervals: usize,
     /// How finely changes are located [s].
     #[arg(long, default_value_t = INTERVAL_ACCURACY, value_name = "SECONDS")]

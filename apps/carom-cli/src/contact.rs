@@ -6,10 +6,10 @@ use crate::files;
 use crate::impact::text::hypotheses_text;
 use crate::lines::answer_lines;
 use crate::printed::tell;
-use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom::tasks::impact::words::forces_headline;
 use carom_scene::{Certainty, ForceAnswerReport, ForceMotionReport, ImpactProblem, Uniqueness, toml_of_json};
+use carom_words::aligned;
 use std::fmt::Write as _;
 use std::io::Write;
 

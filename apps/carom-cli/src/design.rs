@@ -5,7 +5,7 @@ mod report;
 use crate::args::{DesignOptions, Format, Output};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use carom::tasks::design::{DesignError, DesignPlan, DesignStudy, design_space};
+use carom::tasks::design::{DesignPlan, DesignStudy, design_space};
 use carom_scene::{DesignSpace, Scene};
 use std::io::Write;
 
@@ -13,16 +13,6 @@ use std::io::Write;
 struct Searched<'s> {
     study: DesignStudy<'s>,
     seconds: f64,
-}
-
-impl From<DesignError> for Failure {
-    fn from(error: DesignError) -> Self {
-        match error {
-            DesignError::Scene(problems) => Self::from(problems),
-            DesignError::Asked(message) => Self::Usage(message),
-            DesignError::Undone(message) => Self::Undone(message),
-        }
-    }
 }
 
 pub(crate) fn design(options: &DesignOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {

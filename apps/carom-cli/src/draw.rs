@@ -3,12 +3,12 @@
 use crate::args::{DrawOptions, Format, Output};
 use crate::failure::Failure;
 use crate::printed::{notes, tell};
-use crate::side_by_side::aligned;
 use crate::{faces, files, pipeline};
 use carom_feeder::Form;
 use carom_figure::senses::slope;
 use carom_num::Vec2;
 use carom_scene::{Approximation, FaceReport, Scene, unit::Dimension};
+use carom_words::aligned;
 use carom_words::part;
 use serde::Serialize;
 use std::io::Write;

@@ -6,16 +6,15 @@ use crate::files;
 use crate::pipeline::{MADE_BY, draft};
 use crate::printed::{notes, tell};
 use crate::progress::{Progress, spent};
-use crate::quantities;
-use crate::regions::keys::Complaints;
-use crate::side_by_side::aligned;
 use crate::table::fixed;
 use crate::thrown::{headline, range, sampling, until_rest, verdict, without_way};
+use carom::tasks::axes::{Asker, Complaints, plate};
 use carom_figure::{PoseBody, PoseEnd, PoseFigure, pose_report};
 use carom_motion::planar::RestKind;
 use carom_scene::{FaceReport, FacesReport, PartThrows, Scene, unit::Dimension};
 use carom_study::poses::{Plan, Poses};
 use carom_study::yields::REPETITIONS;
+use carom_words::aligned;
 use carom_words::study::percent;
 use carom_words::{part, study};
 use std::io::Write;
@@ -25,13 +24,13 @@ const NO_FACES: &str = "a disc lies alike on all its rim: it has no faces";
 
 pub(crate) fn faces(options: &FacesOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;
-    let mut complaints = Complaints::default();
-    let plate = quantities::plate(&scene, options.plate.as_deref(), &mut complaints);
+    let mut complaints = Complaints::of(Asker::Command);
+    let plate = plate(&scene, options.plate.as_deref(), &mut complaints);
     let texts = [&options.height, &options.speed, &options.spin].map(String::as_str);
     let throws = match PartThrows::new(&scene, plate, texts) {
         Ok(throws) => Some(throws),
         Err(wrong) => {
-            let names = ["--height", "--speed", "--spin"];
+            let names = ["height", "speed", "spin"];
             wrong.into_iter().for_each(|(place, message)| complaints.push(names[place], message));
             None
         }

@@ -1,5 +1,6 @@
 //! Why a command did not do what it was asked to.
 
+use carom::tasks::StudyError;
 use carom_scene::{Problem, ProblemKind, Problems};
 use std::fmt;
 use std::path::Path;
@@ -68,6 +69,16 @@ impl From<std::io::Error> for Failure {
 impl From<Problems> for Failure {
     fn from(problems: Problems) -> Self {
         Self::Input(vec![problems])
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Input(problems) => Self::Input(problems),
+            StudyError::Asked(message) => Self::Usage(message),
+            StudyError::Undone(message) => Self::Undone(message),
+        }
     }
 }
 

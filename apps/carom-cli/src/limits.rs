@@ -1,8 +1,8 @@
 //! How far each quantity may move alone before the verdict flips: what is told of it.
 
 use crate::printed::tell;
-use crate::side_by_side::aligned;
 use carom_scene::{FoundLimits, LimitEnd, Scene, labelled};
+use carom_words::aligned;
 use std::time::{Duration, Instant};
 
 /// Says on stderr how far a search is, at most once a second and never in its first one.

@@ -26,7 +26,6 @@ mod paper;
 mod pipeline;
 mod printed;
 mod progress;
-mod quantities;
 mod regions;
 mod roll;
 mod run;

@@ -2,7 +2,7 @@
 
 mod errata;
 
-use crate::side_by_side::{Done, aligned};
+use crate::side_by_side::Done;
 use crate::table::fixed;
 use crate::tolerance::SAME_AS_PRINTED;
 use carom_feeder::Run;
@@ -10,6 +10,7 @@ use carom_figure::senses::slope;
 use carom_scene::Scene;
 use carom_validation::feeder_paper::{self, Frames, STAGES};
 use carom_validation::{Value, compare};
+use carom_words::aligned;
 use std::f64::consts::PI;
 
 /// Which of the paper's cases a scene is, by its number.

@@ -1,7 +1,9 @@
 //! What goes to stdout: all of it after the files are written, and nothing in it that a terminal obeys.
 
 use std::borrow::Cow;
+use std::fmt::Write as _;
 use std::io::{Result, Write};
+use std::path::PathBuf;
 
 /// The text with every control character but the ends of lines and tabs written out as TOML and JSON write it: a name is shown, not obeyed.
 pub(crate) fn visible(text: &str) -> Cow<'_, str> {
@@ -19,6 +21,15 @@ pub(crate) fn visible(text: &str) -> Cow<'_, str> {
 /// The notes of a scene, a line each.
 pub(crate) fn notes(notes: &[String]) -> String {
     notes.iter().map(|note| format!("note: {note}\n")).collect()
+}
+
+/// A text, and below it the files that were written.
+pub(crate) fn with_files(mut text: String, files: &[PathBuf]) -> String {
+    for file in files {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{}", file.display());
+    }
+    text
 }
 
 /// An output for people, on which every text is [`visible`].

@@ -41,11 +41,6 @@ impl Progress {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// How many are done.
-    pub(crate) fn count(&self) -> usize {
-        self.done.load(Ordering::Relaxed)
-    }
-
     /// These were done before.
     pub(crate) fn skip(&self, count: usize) {
         self.done.fetch_add(count, Ordering::Relaxed);

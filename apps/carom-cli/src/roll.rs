@@ -1,7 +1,6 @@
 //! `carom roll`: follows a body through its strikes.
 
 mod body_text;
-mod closed_form;
 mod poses;
 mod spatial;
 mod spatial_text;
@@ -13,11 +12,11 @@ use crate::files;
 use crate::impact::text::{HYPOTHESIS, in_two_columns};
 use crate::lines::answer_lines;
 use crate::printed::tell;
-use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
 use carom::tasks::roll::{RollStudy, lead};
 use carom_scene::{RollKind, RollProblem, RollReport, RollStrikeReport, SpatialRollKind, toml_of_json};
 use carom_words::Words;
+use carom_words::aligned;
 use std::fmt::Write as _;
 use std::io::Write;
 

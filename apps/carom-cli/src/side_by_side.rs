@@ -4,7 +4,7 @@ use crate::table::{as_wanted, energy_change, fixed, headline, signed};
 use carom_feeder::Run;
 use carom_figure::milliseconds;
 use carom_scene::{Scene, angle_to_normal};
-use carom_words::{Words, run::stage_end};
+use carom_words::{Words, aligned, run::stage_end};
 
 /// A run with its scene.
 pub(crate) type Done = (Scene, Run);
@@ -57,23 +57,4 @@ pub(crate) fn text(done: &[Done]) -> String {
 
 fn dash(text: Option<String>) -> String {
     text.unwrap_or_else(|| "-".to_owned())
-}
-
-/// Rows with their columns aligned, two blanks between.
-pub(crate) fn aligned(rows: &[Vec<String>]) -> String {
-    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let width = |column: usize| {
-        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    let mut text = String::new();
-    for row in rows {
-        let cells = row.iter().zip(&widths).map(|(cell, width)| {
-            let blank = width - cell.chars().count();
-            format!("{cell}{}", " ".repeat(blank))
-        });
-        text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
-        text.push('\n');
-    }
-    text
 }

@@ -4,15 +4,13 @@ mod designs;
 mod folder;
 mod list_file;
 mod lock;
-pub(crate) mod records;
 mod report;
 mod table;
 
 use crate::args::{Format, Output, SweepOptions};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::quantities;
-use crate::regions::keys::Complaints;
+use carom::tasks::axes::{Asker, Complaints, plate};
 use carom_scene::columns::{ColumnsError, HAS_PARQUET};
 use carom_scene::{Problems, Scene, Variants};
 use carom_study::sweep;
@@ -84,8 +82,8 @@ pub(crate) fn sweep(options: &SweepOptions, output: &Output, out: &mut impl Writ
         return Err(Failure::Undone(format!("a sweep writes tables: {}", ColumnsError::NoParquet)));
     }
     let scene = Scene::read(&options.scene)?;
-    let mut complaints = Complaints::default();
-    let plate = quantities::plate(&scene, options.plate.as_deref(), &mut complaints);
+    let mut complaints = Complaints::of(Asker::Command);
+    let plate = plate(&scene, options.plate.as_deref(), &mut complaints);
     let shard = shard(&options.shard, &mut complaints);
     let designs = designs::read(&scene, options, &mut complaints)?;
     complaints.finish()?;
@@ -105,7 +103,7 @@ fn shard(text: &str, complaints: &mut Complaints) -> (u64, u64) {
     match numbers {
         Some((i, n)) if (1..=n).contains(&i) => (i - 1, n),
         _ => {
-            complaints.push("--shard", format!("\"{text}\": expected I/N with I from 1 to N, as in 2/8"));
+            complaints.push("shard", format!("\"{text}\": expected I/N with I from 1 to N, as in 2/8"));
             (0, 1)
         }
     }

@@ -6,8 +6,7 @@ use crate::args::{Format, Output, YieldOptions};
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::{Progress, spent};
-use crate::quantities;
-use crate::regions::keys::Complaints;
+use carom::tasks::axes::{Asker, Complaints, plate};
 use carom::tasks::yields::{YieldStudy, is_of_a_drop};
 use carom_scene::{Scene, Varied};
 use carom_study::yields::{Plan, Points, REPETITIONS};
@@ -16,8 +15,8 @@ use std::path::PathBuf;
 
 pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;
-    let mut complaints = Complaints::default();
-    let plate = quantities::plate(&scene, options.plate.as_deref(), &mut complaints);
+    let mut complaints = Complaints::of(Asker::Command);
+    let plate = plate(&scene, options.plate.as_deref(), &mut complaints);
     complaints.finish()?;
     let varied = scene.varied()?;
     let points = if options.plain { Points::Random } else { Points::Sobol };

@@ -81,7 +81,7 @@ pub(crate) fn impact(py: Python<'_>, name: &str, text: &str, json: bool) -> PyRe
         }
         AnyImpact::Spatial(problem) => {
             let study = SpatialImpactStudy::of(*problem);
-            let page = study.page(title, &text, None);
+            let page = study.page(title, &text);
             Ok((pretty(&study.report)?, named([("report.html", page)])))
         }
     })

@@ -4,7 +4,8 @@ use crate::answer::named;
 use crate::reply::{Candidate, DesignFound, Failure, Reply};
 use crate::watch::Watch;
 use carom::study::design::{Design, Looked};
-use carom::tasks::design::{DesignError, DesignPlan, DesignStudy, design_space};
+use carom::tasks::StudyError;
+use carom::tasks::design::{DesignPlan, DesignStudy, design_space};
 use carom_figure::{Draft, live_small, live_view};
 use carom_scene::{DesignSpace, Scene, labelled};
 use carom_words::number::fixed;
@@ -15,11 +16,15 @@ use serde::Serialize;
 /// Of a small picture [px].
 const SMALL: [f64; 2] = [280.0, 200.0];
 
-impl From<DesignError> for Failure {
-    fn from(error: DesignError) -> Self {
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
         match error {
-            DesignError::Scene(problems) => problems.into(),
-            DesignError::Asked(message) | DesignError::Undone(message) => Self::of_page(&message),
+            // The page gives one file at a time.
+            StudyError::Input(problems) => match problems.into_iter().next() {
+                Some(problems) => problems.into(),
+                None => Self::of_page("the scene has problems"),
+            },
+            StudyError::Asked(message) | StudyError::Undone(message) => Self::of_page(&message),
         }
     }
 }

@@ -46,7 +46,7 @@ fn seen(sketch: &ImpactSketch, frame: Frame) -> Result<SketchView, Failure> {
 
 /// An impact in space: what is said of it, and no picture.
 fn in_space(study: &SpatialImpactStudy, name: &str, text: String, frame: Frame) -> Result<Reply, Failure> {
-    let figure = study.figure(name, "", None);
+    let figure = study.figure(name, "");
     let sections = live_impact(&figure);
     let states = |stage: &SpatialWalkStageReport| {
         let does: Vec<String> =
@@ -99,7 +99,7 @@ pub(crate) fn files(name: &str, text: &str) -> Result<Reply, Failure> {
         AnyImpact::Spatial(problem) => {
             let study = SpatialImpactStudy::of(*problem);
             let json = format!("{}\n", serde_json::to_string_pretty(&study.report)?);
-            let page = study.page(&title, text, None);
+            let page = study.page(&title, text);
             vec![("impact.json".to_owned(), json), ("report.html".to_owned(), page)]
         }
     };

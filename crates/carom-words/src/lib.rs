@@ -36,6 +36,31 @@ pub fn list<T: AsRef<str>>(items: &[T], none: &str) -> String {
     }
 }
 
+/// Rows with their columns aligned, two blanks between.
+///
+/// # Example
+/// ```
+/// let rows = [["plate", "m/s"], ["upper", "0.5"]].map(|row| row.map(str::to_owned).to_vec());
+/// assert_eq!(carom_words::aligned(&rows), "plate  m/s\nupper  0.5\n");
+/// ```
+pub fn aligned(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| {
+            let blank = width - cell.chars().count();
+            format!("{cell}{}", " ".repeat(blank))
+        });
+        text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
+        text.push('\n');
+    }
+    text
+}
+
 /// The name of contact `i`; "?" where there is no such contact.
 fn named<T: AsRef<str>>(names: &[T], i: usize) -> &str {
     names.get(i).map_or("?", AsRef::as_ref)

@@ -3,22 +3,58 @@
 //! The command, the page in a browser and other programs ask here, so that all of them say the same, byte for byte. Files and schemas
 //! know nothing of pictures, and pictures nothing of files: here they meet.
 
+pub mod axes;
 pub mod design;
+pub mod feeds;
+pub mod fits;
 pub mod impact;
 pub mod map;
+pub mod records;
+pub mod regions;
 pub mod roll;
 pub mod solid;
 pub mod sweep;
+pub mod tolerance;
 pub mod yields;
 
 use carom_feeder::{Feed, FeedRun, Run, RunError};
 use carom_figure::{Axis, Draft, Extra, QuantityLimit, Wish};
 use carom_motion::planar::Options;
-use carom_scene::{FeedReport, FoundLimits, Limit, LimitEnd, MeasureAxis, RunReport, Scene, Want, labelled};
+use carom_scene::{
+    FeedReport, FoundLimits, Limit, LimitEnd, MeasureAxis, Problems, RunReport, Scene, Want, labelled,
+};
 use carom_words::part;
 
 /// What makes the pages, with its version.
 pub const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
+
+/// Why a study has no answer.
+///
+/// # Example
+/// ```
+/// use carom::{prelude::*, tasks::{StudyError, design::design_space}};
+/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// assert!(matches!(design_space(&scene), Err(StudyError::Input(_))), "it has no [design]");
+/// # Ok::<(), carom::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StudyError {
+    /// What was given has problems: all of them.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    Input(Vec<Problems>),
+    /// What is asked does not fit what was given.
+    #[error("{0}")]
+    Asked(String),
+    /// What cannot be computed.
+    #[error("{0}")]
+    Undone(String),
+}
+
+impl From<Problems> for StudyError {
+    fn from(problems: Problems) -> Self {
+        Self::Input(vec![problems])
+    }
+}
 
 /// Feeds several parts, where a scene wants that.
 ///

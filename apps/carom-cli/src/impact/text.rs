@@ -1,12 +1,12 @@
 //! The answer to an impact for a person.
 
-use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom::tasks::impact::words::{law, not_examined, said, share_words, shown, states, velocities};
 use carom_scene::{
     Certainty, EndReport, ImpactAnswerReport, ImpactProblem, RejectedReport, SharingVerdict, Uniqueness,
     sharing_words,
 };
+use carom_words::aligned;
 use std::fmt::Write as _;
 
 /// Rejected hypotheses shown to a person.

@@ -1,9 +1,9 @@
 //! A polyhedron that is thrown, for a person: what it is, its faces, and on which it rests.
 
-use crate::side_by_side::aligned;
 use crate::table::{fixed, signed};
 use carom::tasks::solid::words::{about, direction, named};
 use carom_scene::{RestingReport, ThrownBodyReport, ThrownFaceReport};
+use carom_words::aligned;
 use std::fmt::Write as _;
 
 /// Faces in the table.

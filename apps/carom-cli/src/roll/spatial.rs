@@ -1,6 +1,5 @@
 //! `carom roll pyramid|stool|body`: follows a body in space through its strikes.
 
-use super::closed_form;
 use super::poses;
 use super::spatial_text::text;
 use super::throws;
@@ -32,7 +31,7 @@ pub(super) fn roll(
         return throws::study(&name, &problem, throws, options, output, out);
     }
     let run = poses::spatial(&name, &problem, every)?;
-    let study = with_closed_forms(SolidStudy::of_run(problem, run));
+    let study = SolidStudy::of_run(problem, run);
     let SolidStudy { problem, run, report } = &study;
     let json = format!("{}\n", serde_json::to_string_pretty(report)?);
     match output.format {
@@ -53,14 +52,6 @@ pub(super) fn roll(
     if options.open { files::open(&path) } else { Ok(()) }
 }
 
-/// What the literature says of each strike, beside it.
-fn with_closed_forms(mut study: SolidStudy) -> SolidStudy {
-    for (shown, strike) in study.report.strikes.iter_mut().zip(&study.run.strikes) {
-        shown.closed_form = closed_form::of(&study.problem, strike);
-    }
-    study
-}
-
 /// The result of one roll file, in one line of JSON.
 pub(super) fn answer(
     kind: SpatialRollKind,
@@ -72,7 +63,7 @@ pub(super) fn answer(
     let problem = SpatialRollProblem::parse(kind, name, source, &options.set)
         .map_err(|found| Failure::Input(found.0))?;
     let run = poses::spatial(name, &problem, every)?;
-    Ok(serde_json::to_string(&with_closed_forms(SolidStudy::of_run(problem, run)).report)?)
+    Ok(serde_json::to_string(&SolidStudy::of_run(problem, run).report)?)
 }
 
 /// True of a file that draws a surface, and says nothing else.

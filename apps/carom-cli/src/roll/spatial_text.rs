@@ -1,13 +1,13 @@
 //! A body in space and its strikes, for a person at a terminal: the verdict first.
 
 use super::body_text;
-use crate::side_by_side::aligned;
 use crate::table::{capitals, fixed};
 use crate::tolerance::PLAIN_FROM;
 use carom::tasks::solid::words::{change, headline, lead, takes};
 use carom_scene::{
     SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport,
 };
+use carom_words::aligned;
 use std::fmt::Write as _;
 
 /// Strikes in the table, and kinds of strike that are shown with their states.

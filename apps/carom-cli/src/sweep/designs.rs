@@ -1,11 +1,12 @@
 //! The designs of a sweep: a grid, or a list in a file.
 
 use super::list_file::{Lines, ListFile};
-use super::{list_problems, records};
+use super::list_problems;
 use crate::args::SweepOptions;
 use crate::failure::Failure;
-use crate::quantities::{keys, named};
-use crate::regions::keys::{Axis, Complaints, Key, quantity, read_axis, unknown};
+use carom::tasks::axes::{Asker, Axis, Complaints, Key, quantity, read_axis, unknown};
+use carom::tasks::axes::{keys, named};
+use carom::tasks::records;
 use carom_scene::{Problem, ProblemKind, Problems, Scene};
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
@@ -31,7 +32,7 @@ pub(super) fn read(
     options: &SweepOptions,
     complaints: &mut Complaints,
 ) -> Result<Designs, Failure> {
-    let keys = keys(scene);
+    let keys = keys(scene, Asker::Command);
     match &options.list {
         Some(file) => list(scene, keys, file),
         None => Ok(grid(scene, &keys, &options.grid, complaints)),
@@ -42,21 +43,21 @@ fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complain
     let (mut paths, mut axes, mut len): (Vec<String>, Vec<Axis>, u64) = (vec![], vec![], 1);
     if texts.is_empty() {
         complaints
-            .push("--grid", "missing: PATH=A..B:POINTS, once for each quantity, or --list FILE".to_owned());
+            .push("grid", "missing: PATH=A..B:POINTS, once for each quantity, or --list FILE".to_owned());
     }
     for text in texts {
         let text = named(scene, text);
-        let Some(axis) = read_axis(keys, "--grid", &text, &("points", POINTS), complaints) else { continue };
+        let Some(axis) = read_axis(keys, "grid", &text, &("points", POINTS), complaints) else { continue };
         let path = keys[axis.key].name.clone();
         if paths.contains(&path) {
-            complaints.push(&format!("--grid {text}"), format!("{path} is in the grid already"));
+            complaints.push(&format!("grid {text}"), format!("{path} is in the grid already"));
         }
         len = len.saturating_mul(axis.range.count as u64);
         paths.push(path);
         axes.push(axis);
     }
     if len > MOST_DESIGNS {
-        complaints.push("--grid", format!("{len} designs: at most {MOST_DESIGNS} are swept"));
+        complaints.push("grid", format!("{len} designs: at most {MOST_DESIGNS} are swept"));
     }
     Designs::Grid { paths, axes, len }
 }

@@ -3,7 +3,7 @@
 use super::folder::{Counts, ENDINGS, FINGERPRINT, Folder, ROWS, Rows, rows};
 use super::{GROUP, STEP, Sweep};
 use crate::failure::Failure;
-use crate::quantities::keys;
+use carom::tasks::axes::{Asker, keys};
 use carom::tasks::sweep::{FOUND, found};
 use carom_scene::ColumnReport;
 use carom_scene::columns::{Column, ColumnsError, SEAL, Table, sealed};
@@ -14,7 +14,7 @@ use std::ops::Range;
 
 /// The columns of a sweep and their units, in their order.
 pub(super) fn described(sweep: &Sweep<'_>) -> Vec<ColumnReport> {
-    let keys = keys(sweep.scene);
+    let keys = keys(sweep.scene, Asker::Command);
     let unit = |path: &String| {
         let key = keys.iter().find(|key| key.name == *path);
         (path.clone(), key.map_or("", |key| key.dimension.si()))

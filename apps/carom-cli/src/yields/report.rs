@@ -1,11 +1,11 @@
 //! What a yield study says in words.
 
 use crate::printed::notes;
-use crate::side_by_side::aligned;
 use crate::table::fixed;
 use carom::tasks::yields::{RESTITUTIONS, YieldStudy};
 use carom_scene::labelled;
 use carom_study::yields::Spread;
+use carom_words::aligned;
 use carom_words::study::percent;
 use carom_words::{Words, part, study};
 use std::fmt::Write as _;

@@ -7,8 +7,9 @@ mod winner;
 pub use said::unit;
 pub use winner::Winner;
 
+use super::StudyError;
 use carom_feeder::Run;
-use carom_scene::{DesignSpace, Problems, Scene};
+use carom_scene::{DesignSpace, Scene};
 use carom_study::design::{Aim, Found, Goal, Layout, Limits, Looked, Space, Varying, search};
 use carom_study::yields::REPETITIONS;
 use carom_words::part;
@@ -39,28 +40,6 @@ impl Default for DesignPlan {
     fn default() -> Self {
         Self { scan: 4096, samples: 16_384, seed: 1 }
     }
-}
-
-/// Why there is no search.
-///
-/// # Example
-/// ```
-/// use carom::{prelude::*, tasks::design::{DesignError, design_space}};
-/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
-/// assert!(matches!(design_space(&scene), Err(DesignError::Scene(_))), "it has no [design]");
-/// # Ok::<(), carom::Error>(())
-/// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum DesignError {
-    /// The scene leaves nothing open, or wants nothing.
-    #[error(transparent)]
-    Scene(#[from] Problems),
-    /// What is asked does not fit the scene.
-    #[error("{0}")]
-    Asked(String),
-    /// A drop that cannot be computed.
-    #[error("{0}")]
-    Undone(String),
 }
 
 /// A search and what it is of.
@@ -98,20 +77,20 @@ pub struct DesignStudy<'s> {
 /// What a scene leaves open, where its limits can be judged.
 ///
 /// # Errors
-/// See [`DesignError`].
-pub fn design_space(scene: &Scene) -> Result<DesignSpace<'_>, DesignError> {
+/// See [`StudyError`].
+pub fn design_space(scene: &Scene) -> Result<DesignSpace<'_>, StudyError> {
     let space = scene.design_space()?;
     blind(scene)?;
     Ok(space)
 }
 
 /// A feeder with plates as long as needed has no height and no width to keep or to aim at.
-fn blind(scene: &Scene) -> Result<(), DesignError> {
+fn blind(scene: &Scene) -> Result<(), StudyError> {
     let (limits, aim) = limits(scene);
     let asked = limits.height.is_some() || limits.width.is_some() || aim == Aim::Height;
     let endless = scene.feeder().plates.iter().position(|plate| plate.unbounded);
     match endless {
-        Some(plate) if asked => Err(DesignError::Asked(format!(
+        Some(plate) if asked => Err(StudyError::Asked(format!(
             "{}: plate \"{}\" is as long as needed: without its length (gap or length) the feeder's height and width are not known",
             scene.name(),
             part::obstacle(scene.feeder(), plate)
@@ -182,13 +161,13 @@ impl<'s> DesignStudy<'s> {
         plan: DesignPlan,
         step: impl Fn() + Sync,
         looked: impl Fn(&Looked<'_>) + Sync,
-    ) -> Result<Self, DesignError> {
+    ) -> Result<Self, StudyError> {
         let (limits, aim) = limits(scene);
         let confirming = plan.samples.div_ceil(REPETITIONS as u64).min(MOST_CONFIRMING);
         let goal = Goal { limits, aim, seed: plan.seed, scanned: plan.scan, confirming };
         let watched = Watched { space, drops: AtomicUsize::new(0), step: &step, looked: &looked };
         let found = search(&watched, &goal).ok_or_else(|| {
-            DesignError::Asked(format!(
+            StudyError::Asked(format!(
                 "{}: {} quantities are free: too many",
                 scene.name(),
                 space.dimensions()

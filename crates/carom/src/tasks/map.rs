@@ -1,5 +1,10 @@
 //! How a drop of a scene ends over two of its quantities: the study of `carom map`.
 
+mod report;
+mod study;
+
+pub use study::{MapAsked, MapStudy};
+
 use carom_feeder::{Feeder, Verdict};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions, regions_svg};
 use carom_scene::unit::Unit;
@@ -7,7 +12,7 @@ use carom_scene::{Problems, Scene, Want, labelled};
 use carom_study::Ending;
 use carom_study::map::{Map, Node, draw_knowing, explore};
 use carom_study::regions::{Options, Range, RegionsError};
-use carom_words::{part, study};
+use carom_words::{part, study as words};
 
 /// An axis of a map.
 ///
@@ -176,7 +181,7 @@ impl<'s> OutcomeMap<'s> {
             Some(Want::Face(face)) => Some(Ending::Lies(Verdict::Face(face))),
             Some(Want::Any) | None => None,
         };
-        let words = study::ending(ending);
+        let words = words::ending(ending);
         if wanted == Some(ending) { format!("{words}, as wanted") } else { words }
     }
 }
@@ -197,5 +202,5 @@ fn feeder(
 
 /// How an ending is written on a map.
 pub fn name(ending: Ending) -> RegionName {
-    RegionName { short: study::letters(ending), long: study::ending(ending) }
+    RegionName { short: words::letters(ending), long: words::ending(ending) }
 }

@@ -1,5 +1,6 @@
 //! A body in space that rolls or is thrown, followed and told: what `carom roll` says of it.
 
+mod closed_form;
 mod figure;
 pub mod words;
 
@@ -23,7 +24,7 @@ pub struct SolidStudy {
     pub problem: SpatialRollProblem,
     /// Its motion.
     pub run: SpatialRollRun,
-    /// The same as data; a closed form may be set beside a strike.
+    /// The same as data; where a closed form covers a strike, what it says.
     pub report: SpatialRollReport,
 }
 
@@ -39,7 +40,10 @@ impl SolidStudy {
 
     /// What a run that is there already says.
     pub fn of_run(problem: SpatialRollProblem, run: SpatialRollRun) -> Self {
-        let report = SpatialRollReport::new(&problem, &run);
+        let mut report = SpatialRollReport::new(&problem, &run);
+        for (shown, strike) in report.strikes.iter_mut().zip(&run.strikes) {
+            shown.closed_form = closed_form::of(&problem, strike);
+        }
         Self { problem, run, report }
     }
 

@@ -1,6 +1,6 @@
 //! The best layout, in round values, confirmed with drops of its own.
 
-use super::{DesignError, Watched};
+use super::{StudyError, Watched};
 use carom_feeder::Run;
 use carom_scene::Scene;
 use carom_scene::unit::Dimension;
@@ -47,7 +47,7 @@ pub(super) fn of(
     goal: &Goal,
     design: &Design,
     samples: u64,
-) -> Result<Option<Winner>, DesignError> {
+) -> Result<Option<Winner>, StudyError> {
     let space = watched.space;
     let exact = space.values(&design.point);
     let round: Vec<f64> = exact
@@ -78,8 +78,8 @@ fn confirmed(
     goal: &Goal,
     values: Vec<f64>,
     samples: u64,
-) -> Result<Option<Winner>, DesignError> {
-    let undone = |why: String| DesignError::Undone(why);
+) -> Result<Option<Winner>, StudyError> {
+    let undone = |why: String| StudyError::Undone(why);
     let scene = watched.space.scene_with(&values)?;
     let text = watched.space.text(&values)?;
     let run = scene.feeder().run().map_err(|error| undone(error.to_string()))?;
@@ -89,7 +89,7 @@ fn confirmed(
         return Ok(None);
     }
     let Some(to_the_end) = to_the_end(scene.feeder()) else { return Ok(None) };
-    let yields = |widened: f64, worst: &Worst| -> Result<Estimate, DesignError> {
+    let yields = |widened: f64, worst: &Worst| -> Result<Estimate, StudyError> {
         let varied = scene.widened(widened)?;
         let plan = Plan {
             dimensions: varied.dimensions(),

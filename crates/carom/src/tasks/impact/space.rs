@@ -1,5 +1,7 @@
 //! An impact in space, resolved and told: what `carom impact` says of it.
 
+mod closed_form;
+
 use crate::tasks::MADE_BY;
 use carom_figure::{ImpactFigure, RollContact};
 use carom_scene::{
@@ -22,14 +24,19 @@ impl SpatialImpactStudy {
         Self { problem, report }
     }
 
-    /// Everything that its report shows; `source` is the file as written, and `beside` what else is to be said, a closed form say.
-    pub fn figure(&self, title: &str, source: &str, beside: Option<String>) -> ImpactFigure {
-        figure(&self.report, (title, source), beside)
+    /// What the closed form says, and whether the engine agrees; `None` where none covers the impact.
+    pub fn closed_form(&self) -> Option<String> {
+        closed_form::of(&self.problem, &self.report)
+    }
+
+    /// Everything that its report shows; `source` is the file as written.
+    pub fn figure(&self, title: &str, source: &str) -> ImpactFigure {
+        figure(&self.report, (title, source), self.closed_form())
     }
 
     /// Its report, one HTML page.
-    pub fn page(&self, title: &str, source: &str, beside: Option<String>) -> String {
-        carom_figure::impact_report(&self.figure(title, source, beside))
+    pub fn page(&self, title: &str, source: &str) -> String {
+        carom_figure::impact_report(&self.figure(title, source))
     }
 }
 

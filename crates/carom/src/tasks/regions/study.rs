@@ -1,7 +1,7 @@
 //! A region diagram before it is computed, and what comes of it.
 
-use super::keys::Plane;
-use crate::tolerance::REGION_ACCURACY;
+use crate::tasks::axes::Plane;
+use crate::tasks::tolerance::REGION_ACCURACY;
 use carom_figure::{RegionCurve, RegionName};
 use carom_scene::RegionsThresholdReport;
 use carom_study::Ends;
@@ -94,12 +94,15 @@ impl Study<'_> {
         [0, 1].map(|axis| self.plane.axes[axis].range)
     }
 
-    /// Finds the regions and compares their boundaries with the curves.
-    pub(super) fn compute(&self, depth: u32) -> Result<Findings, String> {
+    /// Finds the regions and compares their boundaries with the curves; `step` is called at each point.
+    pub(super) fn compute(&self, depth: u32, step: &(dyn Fn() + Sync)) -> Result<Findings, String> {
         let [x, y] = self.ranges();
         let options = Options { accuracy: self.accuracy, depth };
-        let regions =
-            find(x, y, &options, |x, y| (self.classify)(x, y)).map_err(|error| error.to_string())?;
+        let asked = |x: f64, y: f64| {
+            step();
+            (self.classify)(x, y)
+        };
+        let regions = find(x, y, &options, asked).map_err(|error| error.to_string())?;
         let curves: Vec<RegionCurve> = self.curves.iter().map(|curve| self.drawn(curve)).collect();
         let pairs = curves.iter().zip(&self.curves);
         let comparisons = pairs.filter_map(|(drawn, curve)| self.compared(curve, drawn, &regions)).collect();

@@ -1,9 +1,9 @@
 //! A stool that is let go: what it strikes with first, what stays, and how it ends.
 
-use super::keys::{Key, Plane};
 use super::stool_strike::{LEAST, MOST, shape, whole};
 use super::study::{Label, Study};
-use crate::tolerance::RUN_ACCURACY;
+use crate::tasks::axes::{Key, Plane};
+use crate::tasks::tolerance::RUN_ACCURACY;
 use carom_figure::RegionName;
 use carom_motion::spatial::Supports;
 use carom_num::elementary::atan2;

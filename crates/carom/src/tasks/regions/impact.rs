@@ -1,8 +1,8 @@
 //! Any impact file: what its contacts do after, over two of its numbers.
 
-use super::keys::{Key, Plane};
 use super::study::{EndsAt, Label, Study};
-use crate::tolerance::{REGION_ACCURACY, STILL_AFTER_IMPACT};
+use crate::tasks::axes::{Key, Plane};
+use crate::tasks::tolerance::{REGION_ACCURACY, STILL_AFTER_IMPACT};
 use carom_figure::RegionName;
 use carom_impact::planar::sharing::{self, Sharing};
 use carom_impact::planar::{ContactSet6, Law, MOST_CONTACTS, pivoting, single};
@@ -29,7 +29,7 @@ pub(super) fn keys(template: &ImpactTemplate) -> Vec<Key> {
 /// The problems that the ends of the axes bring, once each.
 pub(super) fn problems(template: &ImpactTemplate, plane: &Plane) -> Vec<(&'static str, String)> {
     let mut found: Vec<(&'static str, String)> = vec![];
-    for (axis, option) in plane.axes.iter().zip(["--x", "--y"]) {
+    for (axis, option) in plane.axes.iter().zip(["x", "y"]) {
         for shown in [axis.range.from, axis.range.to] {
             let path = plane.keys[axis.key].name.as_str();
             let Err(problems) = template.at(&[(path, axis.si(shown))]) else { continue };

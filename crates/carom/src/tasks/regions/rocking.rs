@@ -1,8 +1,8 @@
 //! The cylinder, the prism and the rod: outcomes of the engine, closed forms over them.
 
-use super::keys::{Key, Plane};
 use super::study::{Curve, Label, Study};
-use crate::tolerance::REGION_ACCURACY;
+use crate::tasks::axes::{Key, Plane};
+use crate::tasks::tolerance::REGION_ACCURACY;
 use carom_figure::RegionName;
 use carom_impact::planar::{ContactState, ImpactError, Slip};
 use carom_scene::unit::Dimension;

@@ -1,8 +1,8 @@
 //! A rod that slides with one end on a plate, under gravity: which motions are consistent.
 
-use super::keys::{Key, Plane};
 use super::study::{Curve, Label, Study};
-use crate::tolerance::REGION_ACCURACY;
+use crate::tasks::axes::{Key, Plane};
+use crate::tasks::tolerance::REGION_ACCURACY;
 use carom_figure::RegionName;
 use carom_impact::planar::forces::{Applied, Loaded};
 use carom_impact::planar::{Guess, Meeting, RigidBody, Slip};

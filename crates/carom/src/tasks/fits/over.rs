@@ -1,7 +1,6 @@
 //! The quantities of a fit, and their ranges.
 
-use crate::quantities::{keys, named};
-use crate::regions::keys::{Complaints, read_axis};
+use crate::tasks::axes::{Complaints, keys, named, read_axis};
 use carom_scene::Scene;
 use carom_scene::unit::Dimension;
 use carom_study::fits::MOST_PARAMETERS;
@@ -28,11 +27,11 @@ impl Over {
     }
 }
 
-/// Reads every `--over`, or takes each friction and restitution that the scene writes.
+/// Reads every range, or takes each friction and restitution that the scene writes.
 pub(super) fn read(scene: &Scene, options: &[String], complaints: &mut Complaints) -> Vec<Over> {
     let found = if options.is_empty() { contacts(scene) } else { named_ones(scene, options, complaints) };
     if options.is_empty() && found.is_empty() {
-        complaints.push("--over", "missing: the scene writes no friction and no restitution".to_owned());
+        complaints.push("over", "missing: the scene writes no friction and no restitution".to_owned());
     }
     if found.len() > MOST_PARAMETERS {
         let paths: Vec<&str> = found.iter().map(|over| over.path.as_str()).collect();
@@ -41,7 +40,7 @@ pub(super) fn read(scene: &Scene, options: &[String], complaints: &mut Complaint
             paths.len(),
             paths.join(", ")
         );
-        complaints.push("--over", message);
+        complaints.push("over", message);
     }
     found
 }
@@ -57,14 +56,14 @@ fn contacts(scene: &Scene) -> Vec<Over> {
 }
 
 fn named_ones(scene: &Scene, options: &[String], complaints: &mut Complaints) -> Vec<Over> {
-    let keys = keys(scene);
+    let keys = keys(scene, complaints.asker());
     let quantities = scene.quantities();
     let mut found: Vec<Over> = vec![];
     for text in options {
         let text = named(scene, text);
-        let Some(axis) = read_axis(&keys, "--over", &text, &("cells", 1..=1), complaints) else { continue };
+        let Some(axis) = read_axis(&keys, "over", &text, &("cells", 1..=1), complaints) else { continue };
         let key = &keys[axis.key];
-        let option = format!("--over {text}");
+        let option = format!("over {text}");
         if found.iter().any(|over| over.path == key.name) {
             complaints.push(&option, format!("{} is fitted already", key.name));
             continue;

@@ -1,13 +1,13 @@
 //! The strike map: a corner's angle to the normal and its incidence, and what comes of the strike.
 
-use super::keys::{Key, Plane};
 use super::study::{Curve, Label, Study};
-use crate::table::fixed;
-use crate::tolerance::{LEAST_INCIDENCE, REGION_ACCURACY};
+use crate::tasks::axes::{Key, Plane};
+use crate::tasks::tolerance::{LEAST_INCIDENCE, REGION_ACCURACY};
 use carom_figure::RegionName;
 use carom_scene::unit::Dimension;
 use carom_study::corner::Striker;
 use carom_study::regions::Regions;
+use carom_words::number::ascii as fixed;
 use std::f64::consts::FRAC_PI_2;
 
 /// Of the feeder paper's part [kg m²].

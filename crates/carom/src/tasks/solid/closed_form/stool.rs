@@ -1,7 +1,7 @@
 //! The strikes of a stool: a support and its neighbour, or all supports at once.
 
 use super::Predicted;
-use crate::tolerance::OFF_LINE;
+use crate::tasks::tolerance::OFF_LINE;
 use carom_motion::spatial::Supports;
 use carom_num::Vec3;
 use carom_num::elementary::{atan2, cos};

@@ -1,37 +1,74 @@
-//! The quantities of a region diagram: which there are, what they are set to, and which two are its axes.
+//! What a study is asked over: the quantities it knows, what they are set to, and the ranges of those that move.
 
-use carom::tasks::map::MapAxis;
+use super::map::MapAxis;
 use carom_scene::quantity::{QuantityProblem, parse, parse_range};
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{Problem, ProblemKind, Problems, label_beside, nearest};
+use carom_scene::{Problem, ProblemKind, Problems, Scene, label_beside, labelled, nearest};
 use carom_study::regions::{MOST_CELLS, Range};
 use std::ops::RangeInclusive;
+
+/// Who asks, and so how its options are written.
+///
+/// # Example
+/// ```
+/// use carom::tasks::axes::Asker;
+/// assert_eq!((Asker::Command.option("x"), Asker::Call.option("x")), ("--x".to_owned(), "x".to_owned()));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Asker {
+    /// The command: options have two dashes.
+    #[default]
+    Command,
+    /// A call of a function: options are its arguments.
+    Call,
+}
+
+impl Asker {
+    /// An option as its asker writes it.
+    pub fn option(self, name: &str) -> String {
+        match self {
+            Self::Command => format!("--{name}"),
+            Self::Call => name.to_owned(),
+        }
+    }
+
+    /// Where the options stand.
+    fn place(self) -> &'static str {
+        match self {
+            Self::Command => "the command line",
+            Self::Call => "the call",
+        }
+    }
+}
 
 /// Cells of an axis that says none.
 const CELLS: usize = 80;
 
 /// A quantity that may be set or be an axis.
 #[derive(Clone, Debug)]
-pub(crate) struct Key {
+pub struct Key {
     /// Its name on the command line and in files.
-    pub(crate) name: String,
+    pub name: String,
     /// What it measures and its letter, as an axis says it.
-    pub(crate) words: String,
-    pub(crate) dimension: Dimension,
+    pub words: String,
+    /// Its dimension.
+    pub dimension: Dimension,
     /// SI.
-    pub(crate) value: f64,
+    pub value: f64,
     /// Closed interval that it must lie in, SI.
-    pub(crate) allowed: [f64; 2],
-    /// True where the command line must say a unit, as scenes do; elsewhere a plain number is SI.
-    pub(crate) needs_unit: bool,
+    pub allowed: [f64; 2],
+    /// True where a unit must be written, as in scenes; elsewhere a plain number is SI.
+    pub needs_unit: bool,
 }
 
 impl Key {
-    pub(crate) fn new(name: &str, words: &str, dimension: Dimension, value: f64, allowed: [f64; 2]) -> Self {
+    /// A quantity for which a plain number is SI.
+    pub fn new(name: &str, words: &str, dimension: Dimension, value: f64, allowed: [f64; 2]) -> Self {
         Self { name: name.to_owned(), words: words.to_owned(), dimension, value, allowed, needs_unit: false }
     }
 
-    pub(crate) fn outside(&self, value: f64) -> Option<String> {
+    /// Why a value is not allowed; `None` where it is.
+    pub fn outside(&self, value: f64) -> Option<String> {
         let [low, high] = self.allowed;
         let show = |value| self.dimension.show(value);
         (!(low..=high).contains(&value)).then(|| match (low.is_finite(), high.is_finite()) {
@@ -44,40 +81,43 @@ impl Key {
 
 /// An axis: its quantity, and its range in the unit it is shown in.
 #[derive(Clone, Debug)]
-pub(crate) struct Axis {
+pub struct Axis {
     /// Which of the quantities.
-    pub(crate) key: usize,
-    pub(crate) range: Range,
+    pub key: usize,
+    /// From where to where, and its cells.
+    pub range: Range,
     unit: Option<Unit>,
 }
 
 impl Axis {
     /// A value of the axis in SI.
-    pub(crate) fn si(&self, shown: f64) -> f64 {
+    pub fn si(&self, shown: f64) -> f64 {
         self.unit.map_or(shown, |unit| unit.to_si(shown))
     }
 
     /// As the axis of a map.
-    pub(crate) fn of_map(&self, keys: &[Key]) -> MapAxis {
+    pub fn of_map(&self, keys: &[Key]) -> MapAxis {
         MapAxis { path: keys[self.key].name.clone(), range: self.range, unit: self.unit }
     }
 
     /// The symbol of its unit; empty for plain numbers.
-    pub(crate) fn unit(&self) -> &'static str {
+    pub fn unit(&self) -> &'static str {
         self.unit.map_or("", |unit| unit.symbol)
     }
 }
 
 /// The quantities and the axes of a diagram.
 #[derive(Clone, Debug)]
-pub(crate) struct Plane {
-    pub(crate) keys: Vec<Key>,
-    pub(crate) axes: [Axis; 2],
+pub struct Plane {
+    /// All quantities.
+    pub keys: Vec<Key>,
+    /// Abscissa and ordinate.
+    pub axes: [Axis; 2],
 }
 
 impl Plane {
     /// All quantities in SI, with the two axes at a point.
-    pub(crate) fn at(&self, x: f64, y: f64) -> Vec<f64> {
+    pub fn at(&self, x: f64, y: f64) -> Vec<f64> {
         let mut values: Vec<f64> = self.keys.iter().map(|key| key.value).collect();
         for (axis, shown) in self.axes.iter().zip([x, y]) {
             values[axis.key] = axis.si(shown);
@@ -86,7 +126,7 @@ impl Plane {
     }
 
     /// The quantities that are no axis, for a person: `b = 0.5, h = 300 mm`.
-    pub(crate) fn fixed(&self) -> String {
+    pub fn fixed(&self) -> String {
         let fixed = self.keys.iter().enumerate().filter(|(k, _)| self.axes.iter().all(|axis| axis.key != *k));
         let texts: Vec<String> =
             fixed.map(|(_, key)| format!("{} = {}", key.words, key.dimension.show(key.value))).collect();
@@ -94,32 +134,61 @@ impl Plane {
     }
 }
 
-/// What is wrong with the options of a diagram.
-#[derive(Default)]
-pub(crate) struct Complaints {
+/// What is wrong with what is asked.
+///
+/// # Example
+/// ```
+/// use carom::tasks::axes::{Asker, Complaints};
+/// let mut complaints = Complaints::of(Asker::Command);
+/// complaints.push("accuracy", "7 is outside 1e-12 to 0.1".to_owned());
+/// assert!(complaints.finish().unwrap_err().to_string().contains("--accuracy"));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Complaints {
+    asker: Asker,
     list: Vec<Problem>,
 }
 
 impl Complaints {
-    pub(crate) fn push(&mut self, option: &str, message: String) {
+    /// None as yet.
+    pub fn of(asker: Asker) -> Self {
+        Self { asker, list: vec![] }
+    }
+
+    /// Who asks.
+    pub fn asker(&self) -> Asker {
+        self.asker
+    }
+
+    /// One more, of an option without its dashes.
+    pub fn push(&mut self, option: &str, message: String) {
+        let option = self.asker.option(option);
         self.list.push(Problem::new(ProblemKind::WrongValue, option, message, None));
     }
 
+    /// One more, of a key of the scene.
+    pub fn push_of_scene(&mut self, key: &str, message: String) {
+        self.list.push(Problem::new(ProblemKind::WrongValue, key, message, None));
+    }
+
     /// Fails where there are any.
-    pub(crate) fn finish(self) -> Result<(), Problems> {
-        if self.list.is_empty() { Ok(()) } else { Err(Problems::new("the command line", "", self.list)) }
+    ///
+    /// # Errors
+    /// All of them.
+    pub fn finish(self) -> Result<(), Problems> {
+        if self.list.is_empty() { Ok(()) } else { Err(Problems::new(self.asker.place(), "", self.list)) }
     }
 }
 
-/// Reads `--set`, `--x` and `--y`, the latter two with their defaults.
-pub(crate) fn read(
+/// Reads `set`, `x` and `y`, the latter two with their defaults; `None` where an axis is none.
+pub fn read(
     mut keys: Vec<Key>,
     settings: &[String],
     axes: [&str; 2],
     complaints: &mut Complaints,
 ) -> Option<Plane> {
     for setting in settings {
-        let option = format!("--set {setting}");
+        let option = format!("set {setting}");
         let Some((name, text)) = setting.split_once('=') else {
             complaints.push(&option, "expected KEY=VALUE".to_owned());
             continue;
@@ -137,11 +206,11 @@ pub(crate) fn read(
             Ok((_, Some(message))) | Err(message) => complaints.push(&option, message),
         }
     }
-    let [x, y] = [("--x", axes[0]), ("--y", axes[1])]
+    let [x, y] = [("x", axes[0]), ("y", axes[1])]
         .map(|(flag, text)| read_axis(&keys, flag, text, &("cells", 1..=MOST_CELLS), complaints));
     let axes = [x?, y?];
     if axes[0].key == axes[1].key {
-        complaints.push("--y", format!("{} is the abscissa already", keys[axes[0].key].name));
+        complaints.push("y", format!("{} is the abscissa already", keys[axes[0].key].name));
     }
     Some(Plane { keys, axes })
 }
@@ -155,7 +224,7 @@ fn position(keys: &[Key], name: &str, option: &str, complaints: &mut Complaints)
 }
 
 /// That there is no such quantity, and which was probably meant.
-pub(crate) fn unknown(keys: &[Key], name: &str) -> String {
+pub fn unknown(keys: &[Key], name: &str) -> String {
     let names: Vec<&str> = keys.iter().map(|key| key.name.as_str()).collect();
     match nearest(name, &names) {
         Some(near) => {
@@ -166,7 +235,7 @@ pub(crate) fn unknown(keys: &[Key], name: &str) -> String {
 }
 
 /// Reads an axis; `divided` is what its range is divided into, and into how many.
-pub(crate) fn read_axis(
+pub fn read_axis(
     keys: &[Key],
     flag: &str,
     text: &str,
@@ -211,7 +280,10 @@ pub(crate) fn read_axis(
 }
 
 /// A quantity with its unit, or a plain SI number.
-pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     match parse(text, dimension) {
         Ok(written) => Ok(written.value),
         Err(QuantityProblem::NoUnit(number)) => Ok(number),
@@ -241,6 +313,33 @@ fn written(text: &str, dimension: Dimension) -> Option<Unit> {
     dimension.unit(symbol)
 }
 
+/// The quantities of a scene that may be moved. On the command line their units are written, as in the scene; in a call plain numbers are SI.
+pub fn keys(scene: &Scene, asker: Asker) -> Vec<Key> {
+    let quantities = scene.quantities().into_iter();
+    let continuous = quantities.filter(|quantity| quantity.kind.dimension != Dimension::Count);
+    continuous
+        .map(|quantity| {
+            let (dimension, allowed) = (quantity.kind.dimension, quantity.kind.interval());
+            let key = Key::new(&quantity.path, &labelled(&quantity.path), dimension, quantity.value, allowed);
+            Key { needs_unit: asker == Asker::Command, ..key }
+        })
+        .collect()
+}
+
+/// The same text with a plate's number replaced by its name.
+pub fn named(scene: &Scene, text: &str) -> String {
+    let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
+    format!("{}={rest}", scene.canonical(path.trim()))
+}
+
+/// The number of the plate that is looked at.
+pub fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
+    super::plate(scene, named).unwrap_or_else(|message| {
+        complaints.push("plate", message);
+        0
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -250,13 +349,8 @@ mod tests {
         let key = Key::new("gamma", "γ", Dimension::Angle, 0.5, [0.0, 1.6]);
         let axis = |text: &str| {
             let mut complaints = Complaints::default();
-            let axis = read_axis(
-                std::slice::from_ref(&key),
-                "--x",
-                text,
-                &("cells", 1..=MOST_CELLS),
-                &mut complaints,
-            );
+            let axis =
+                read_axis(std::slice::from_ref(&key), "x", text, &("cells", 1..=MOST_CELLS), &mut complaints);
             complaints.finish().map(|()| axis.unwrap()).map_err(|problems| problems.to_string())
         };
         for (text, unit) in

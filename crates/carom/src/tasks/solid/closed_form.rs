@@ -3,7 +3,7 @@
 mod pyramid;
 mod stool;
 
-use crate::tolerance::CLOSED_FORM_AGREES;
+use crate::tasks::tolerance::CLOSED_FORM_AGREES;
 use carom_num::Vec3;
 use carom_scene::{ClosedFormReport, SpatialRollKind, SpatialRollProblem, SpatialStrike};
 

@@ -1,29 +1,26 @@
 //! What a search for the interval of a feed says in words, as CSV and as JSON.
 
-use super::{Saved, Searched};
-use crate::progress::spent;
-use crate::side_by_side::aligned;
-use crate::table::fixed;
-use carom::tasks::wants;
+use super::{FeedStudy, Saved};
+use crate::tasks::wants;
 use carom_feeder::{Doing, Feeder, Outcome};
 use carom_figure::csv_cell;
 use carom_motion::planar::Surface;
 use carom_scene::{
     AloneReport, EndingWord, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport,
-    SavedFeedReport, SmallestIntervalReport, Word,
+    SavedFeedReport, SmallestIntervalReport, StudyRunReport, Word,
 };
 use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
 use carom_study::stretches::Stretch;
-use carom_words::{Words, part, study};
+use carom_words::number::ascii as fixed;
+use carom_words::{Words, aligned, part, study};
 use std::fmt::Write as _;
-use std::path::PathBuf;
 
 /// Rows of the table for a person; the CSV has all.
 const MOST_ROWS: usize = 24;
 
 /// A time with one digit more than the accuracy has: it tells an interval with a touch from the next without.
-pub(super) fn seconds(time: f64, searched: &Searched<'_>) -> String {
+pub(super) fn seconds(time: f64, searched: &FeedStudy<'_>) -> String {
     let mut digits = 1;
     while digits < 12 && format!("1e-{digits}").parse::<f64>().is_ok_and(|one| one >= searched.plan.accuracy)
     {
@@ -33,7 +30,7 @@ pub(super) fn seconds(time: f64, searched: &Searched<'_>) -> String {
 }
 
 /// What is wanted, in words.
-fn wanted(searched: &Searched<'_>) -> String {
+fn wanted(searched: &FeedStudy<'_>) -> String {
     wants(searched.scene).unwrap_or_else(|| {
         let words = match searched.found.ending {
             Ending::Lies(verdict) => format!("{} on \"{}\"", carom_words::run::side(verdict), last(searched)),
@@ -44,13 +41,13 @@ fn wanted(searched: &Searched<'_>) -> String {
 }
 
 /// The name of the last plate.
-fn last(searched: &Searched<'_>) -> String {
+fn last(searched: &FeedStudy<'_>) -> String {
     let feeder = searched.scene.feeder();
     part::obstacle(feeder, feeder.plates.len() - 1)
 }
 
 /// How a part ends on the last plate; where it stays on it, with its name.
-fn on_last(ending: Ending, searched: &Searched<'_>) -> String {
+fn on_last(ending: Ending, searched: &FeedStudy<'_>) -> String {
     match ending {
         Ending::Stays => format!("stays on \"{}\"", last(searched)),
         other => study::ending(other),
@@ -58,7 +55,7 @@ fn on_last(ending: Ending, searched: &Searched<'_>) -> String {
 }
 
 /// How a part ends on the last plate, and how its run ends.
-fn end_in_words(ending: Ending, outcome: Outcome, searched: &Searched<'_>) -> String {
+fn end_in_words(ending: Ending, outcome: Outcome, searched: &FeedStudy<'_>) -> String {
     let ended = outcome.word().replace('_', " ");
     match ending {
         Ending::Otherwise(Outcome::Delivered) => "delivered before it lay flat".to_owned(),
@@ -85,7 +82,7 @@ fn meeting(feeder: &Feeder, meets: &Meets) -> String {
 }
 
 /// The answer in a sentence.
-pub(super) fn answer(searched: &Searched<'_>) -> String {
+pub(super) fn answer(searched: &FeedStudy<'_>) -> String {
     match &searched.found.smallest {
         Some(Smallest { free, .. }) => format!(
             "smallest interval without touch {}: {} parts a minute",
@@ -98,7 +95,7 @@ pub(super) fn answer(searched: &Searched<'_>) -> String {
 }
 
 /// Where one part alone comes to rest, and that later ones come to it.
-fn staying(searched: &Searched<'_>) -> String {
+fn staying(searched: &FeedStudy<'_>) -> String {
     let alone = &searched.found.alone;
     let place = alone.stages.last().and_then(|stage| stage.obstacle);
     let place =
@@ -107,54 +104,128 @@ fn staying(searched: &Searched<'_>) -> String {
     format!("one part alone comes to rest{place} ({outcome}), and later ones pile up")
 }
 
-/// For a person.
-pub(super) fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
-    let (found, feeder) = (&searched.found, searched.scene.feeder());
-    let scene = searched.scene;
-    let mut text = format!("{}: {}\n", scene.name(), answer(searched));
-    // Writing to a String cannot fail.
-    if let Some(smallest) = &found.smallest {
-        let at = seconds(smallest.touching, searched);
-        let _ = match &smallest.meets {
-            Some(meets) => {
-                let plate = part::obstacle(feeder, meets.doing[0].obstacle);
-                writeln!(text, "limited by \"{plate}\": at {at} {}", meeting(feeder, meets))
+impl FeedStudy<'_> {
+    /// What it says to a person; `seconds_spent` is how long it took.
+    pub fn text(&self, seconds_spent: f64) -> String {
+        let searched = self;
+        let (found, feeder) = (&searched.found, searched.scene.feeder());
+        let scene = searched.scene;
+        let mut text = format!("{}: {}\n", scene.name(), answer(searched));
+        // Writing to a String cannot fail.
+        if let Some(smallest) = &found.smallest {
+            let at = seconds(smallest.touching, searched);
+            let _ = match &smallest.meets {
+                Some(meets) => {
+                    let plate = part::obstacle(feeder, meets.doing[0].obstacle);
+                    writeln!(text, "limited by \"{plate}\": at {at} {}", meeting(feeder, meets))
+                }
+                None => writeln!(text, "below it: at {at} {}", study::feed(smallest.below)),
+            };
+            if let Some(longest) = &found.longest {
+                let _ = writeln!(
+                    text,
+                    "the way of one part alone meets itself at no interval above {}",
+                    seconds(longest.high, searched)
+                );
             }
-            None => writeln!(text, "below it: at {at} {}", study::feed(smallest.below)),
-        };
-        if let Some(longest) = &found.longest {
-            let _ = writeln!(
-                text,
-                "the way of one part alone meets itself at no interval above {}",
-                seconds(longest.high, searched)
-            );
         }
-    }
-    let said = if searched.scene.feed().is_some() { "" } else { ", as contacts of [contact]" };
-    let Surface { friction, restitution } = searched.feed.between;
-    let _ = writeln!(
-        text,
-        "{} parts, friction {friction} and restitution {restitution} between them{said}; each is followed until it has left the last plate or rests",
-        searched.feed.parts
-    );
-    let _ = writeln!(text, "one part alone: {} after {:.3} s", alone(searched), found.alone.end_time);
-    let _ = writeln!(text, "wanted: {}\n", wanted(searched));
-    text += &table(searched);
-    if found.unresolved > 0.0 {
+        let said = if searched.scene.feed().is_some() { "" } else { ", as contacts of [contact]" };
+        let Surface { friction, restitution } = searched.feed.between;
         let _ = writeln!(
             text,
-            "not looked into: {:.6} s of the intervals, where what happens changes from one to the next",
-            found.unresolved
+            "{} parts, friction {friction} and restitution {restitution} between them{said}; each is followed until it has left the last plate or rests",
+            searched.feed.parts
         );
+        let _ = writeln!(text, "one part alone: {} after {:.3} s", alone(searched), found.alone.end_time);
+        let _ = writeln!(text, "wanted: {}\n", wanted(searched));
+        text += &table(searched);
+        if found.unresolved > 0.0 {
+            let _ = writeln!(
+                text,
+                "not looked into: {:.6} s of the intervals, where what happens changes from one to the next",
+                found.unresolved
+            );
+        }
+        let _ = writeln!(text, "{} feeds, {:.2} s\n", found.runs, seconds_spent);
+        text
     }
-    let _ = writeln!(text, "{} feeds, {:.2} s\n", found.runs, searched.seconds);
-    for file in files {
-        let _ = writeln!(text, "{}", file.display());
+
+    /// One line a stretch.
+    pub fn csv(&self) -> String {
+        let searched = self;
+        let feeder = searched.scene.feeder();
+        let mut out = String::from(
+            "from_s,to_s,what,part_ahead,part_behind,stage_ahead,plate_ahead,stage_behind,plate_behind",
+        );
+        for part in 1..=searched.feed.parts {
+            let _ = write!(out, ",part_{part}");
+        }
+        out.push('\n');
+        for piece in &searched.found.stretches {
+            let _ = write!(out, "{},{},{}", piece.first, piece.last, piece.label.kind().word());
+            match &piece.label.meets {
+                None => out += ",,,,,,",
+                Some(meets) => {
+                    let [a, b] = meets.parts;
+                    let _ = write!(out, ",{},{}", a + 1, b + 1);
+                    for doing in meets.doing {
+                        let stage = doing.stage.map_or("start", |stage| stage.word());
+                        let _ = write!(out, ",{stage},{}", csv_cell(feeder.obstacle_name(doing.obstacle)));
+                    }
+                }
+            }
+            for end in &piece.label.ends {
+                let _ = write!(out, ",{}", csv_cell(&end_in_words(end.ending, end.outcome, searched)));
+            }
+            out.push('\n');
+        }
+        out
     }
-    text
+
+    /// What it says to a program; `run` says what it took.
+    pub fn summary(&self, run: StudyRunReport) -> FeedStudyReport {
+        let searched = self;
+        let (found, feeder) = (&searched.found, searched.scene.feeder());
+        let meeting = |meets: &Meets| FeedMeetingReport::new(feeder, meets);
+        let smallest = found.smallest.as_ref().map(|smallest| SmallestIntervalReport {
+            interval_s: smallest.free,
+            touching_s: smallest.touching,
+            below: Word(smallest.below),
+            parts_per_minute: 60.0 / smallest.free,
+            limited_by: smallest.meets.map(|meets| feeder.obstacle_name(meets.doing[0].obstacle).to_owned()),
+            first: smallest.meets.as_ref().map(meeting),
+        });
+        let saved = self.saved().map(|saved: Saved| SavedFeedReport {
+            file: saved.file.to_owned(),
+            why: saved.why,
+            interval_s: saved.interval,
+        });
+        FeedStudyReport {
+            scene: searched.scene.name().to_owned(),
+            approximations: searched.scene.approximations().to_vec(),
+            parts: searched.feed.parts,
+            friction: searched.feed.between.friction,
+            restitution: searched.feed.between.restitution,
+            wanted: wanted(searched),
+            accuracy_s: searched.plan.accuracy,
+            alone: AloneReport {
+                ending: EndingWord(found.ending),
+                outcome: Word(found.alone.outcome),
+                end_s: found.alone.end_time,
+            },
+            smallest,
+            piles_up: found.piles_up(),
+            own_meeting: found.longest.map(|own| OwnMeetingReport { low_s: own.low, high_s: own.high }),
+            stretches: found.stretches.iter().map(|piece| FeedStretchReport::new(feeder, piece)).collect(),
+            unresolved_s: found.unresolved,
+            saved: saved.collect(),
+            feeds: found.runs,
+            run,
+        }
+    }
 }
 
-fn alone(searched: &Searched<'_>) -> String {
+fn alone(searched: &FeedStudy<'_>) -> String {
     end_in_words(searched.found.ending, searched.found.alone.outcome, searched)
 }
 
@@ -167,7 +238,7 @@ fn first_touch(happens: &Happens) -> FirstTouch {
     (happens.meets, happens.meets.is_none() && !happens.is_free())
 }
 
-fn grouped<'f>(searched: &'f Searched<'_>) -> Vec<Group<'f>> {
+fn grouped<'f>(searched: &'f FeedStudy<'_>) -> Vec<Group<'f>> {
     let mut groups: Vec<Group<'f>> = vec![];
     for piece in searched.found.stretches.iter().rev() {
         match groups.last_mut() {
@@ -204,7 +275,7 @@ fn shares(pieces: &[&Stretch<Happens>]) -> [String; 4] {
 }
 
 /// What happens at which interval, the longest first.
-fn table(searched: &Searched<'_>) -> String {
+fn table(searched: &FeedStudy<'_>) -> String {
     let feeder = searched.scene.feeder();
     let groups = grouped(searched);
     let head = ["from s", "to s", "as wanted %", "otherwise %", "no start %", "unresolved %", "first touch"];
@@ -235,81 +306,9 @@ fn table(searched: &Searched<'_>) -> String {
 }
 
 /// What becomes of those that end otherwise.
-fn ends(ends: &[End], searched: &Searched<'_>) -> String {
+fn ends(ends: &[End], searched: &FeedStudy<'_>) -> String {
     let others = ends.iter().enumerate().filter(|(_, end)| !end.as_wanted);
     let words = others
         .map(|(part, end)| format!("part {}: {}", part + 1, end_in_words(end.ending, end.outcome, searched)));
     words.collect::<Vec<_>>().join(", ")
-}
-
-/// One line a stretch.
-pub(super) fn csv(searched: &Searched<'_>) -> String {
-    let feeder = searched.scene.feeder();
-    let mut out = String::from(
-        "from_s,to_s,what,part_ahead,part_behind,stage_ahead,plate_ahead,stage_behind,plate_behind",
-    );
-    for part in 1..=searched.feed.parts {
-        let _ = write!(out, ",part_{part}");
-    }
-    out.push('\n');
-    for piece in &searched.found.stretches {
-        let _ = write!(out, "{},{},{}", piece.first, piece.last, piece.label.kind().word());
-        match &piece.label.meets {
-            None => out += ",,,,,,",
-            Some(meets) => {
-                let [a, b] = meets.parts;
-                let _ = write!(out, ",{},{}", a + 1, b + 1);
-                for doing in meets.doing {
-                    let stage = doing.stage.map_or("start", |stage| stage.word());
-                    let _ = write!(out, ",{stage},{}", csv_cell(feeder.obstacle_name(doing.obstacle)));
-                }
-            }
-        }
-        for end in &piece.label.ends {
-            let _ = write!(out, ",{}", csv_cell(&end_in_words(end.ending, end.outcome, searched)));
-        }
-        out.push('\n');
-    }
-    out
-}
-
-/// For a program.
-pub(super) fn summary(searched: &Searched<'_>, saved: &[Saved]) -> FeedStudyReport {
-    let (found, feeder) = (&searched.found, searched.scene.feeder());
-    let meeting = |meets: &Meets| FeedMeetingReport::new(feeder, meets);
-    let smallest = found.smallest.as_ref().map(|smallest| SmallestIntervalReport {
-        interval_s: smallest.free,
-        touching_s: smallest.touching,
-        below: Word(smallest.below),
-        parts_per_minute: 60.0 / smallest.free,
-        limited_by: smallest.meets.map(|meets| feeder.obstacle_name(meets.doing[0].obstacle).to_owned()),
-        first: smallest.meets.as_ref().map(meeting),
-    });
-    let saved = saved.iter().map(|saved| SavedFeedReport {
-        file: saved.file.to_owned(),
-        why: saved.why,
-        interval_s: saved.interval,
-    });
-    FeedStudyReport {
-        scene: searched.scene.name().to_owned(),
-        approximations: searched.scene.approximations().to_vec(),
-        parts: searched.feed.parts,
-        friction: searched.feed.between.friction,
-        restitution: searched.feed.between.restitution,
-        wanted: wanted(searched),
-        accuracy_s: searched.plan.accuracy,
-        alone: AloneReport {
-            ending: EndingWord(found.ending),
-            outcome: Word(found.alone.outcome),
-            end_s: found.alone.end_time,
-        },
-        smallest,
-        piles_up: found.piles_up(),
-        own_meeting: found.longest.map(|own| OwnMeetingReport { low_s: own.low, high_s: own.high }),
-        stretches: found.stretches.iter().map(|piece| FeedStretchReport::new(feeder, piece)).collect(),
-        unresolved_s: found.unresolved,
-        saved: saved.collect(),
-        feeds: found.runs,
-        run: spent(found.runs * searched.feed.parts, searched.seconds),
-    }
 }

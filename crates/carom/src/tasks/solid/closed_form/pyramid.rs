@@ -1,7 +1,7 @@
 //! The strike of a homogeneous pyramid that turns about a lateral edge.
 
 use super::Predicted;
-use crate::tolerance::OFF_EDGE;
+use crate::tasks::tolerance::OFF_EDGE;
 use carom_num::Vec3;
 use carom_scene::{ClosedFormReport, PyramidShape, SpatialRollProblem, SpatialStrike};
 use carom_theory::spatial::{Kept, Pyramid, PyramidStrike};

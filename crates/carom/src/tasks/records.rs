@@ -6,7 +6,7 @@ use std::ops::Range;
 ///
 /// # Errors
 /// Quotes that are not closed on the line, or with more than blanks beside them.
-pub(super) fn cells(line: &str) -> Result<Vec<String>, String> {
+pub fn cells(line: &str) -> Result<Vec<String>, String> {
     Ok(placed(line)?.into_iter().map(|(cell, _)| cell).collect())
 }
 
@@ -14,7 +14,7 @@ pub(super) fn cells(line: &str) -> Result<Vec<String>, String> {
 ///
 /// # Errors
 /// As [`cells`].
-pub(crate) fn placed(line: &str) -> Result<Vec<(String, Range<usize>)>, String> {
+pub fn placed(line: &str) -> Result<Vec<(String, Range<usize>)>, String> {
     let mut found = vec![];
     let mut start = 0;
     loop {

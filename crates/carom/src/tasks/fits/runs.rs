@@ -1,11 +1,8 @@
 //! The runs of a fit: a CSV file of drops that were observed.
 
 use super::over::Over;
-use crate::failure::Failure;
-use crate::files;
-use crate::quantities::keys;
-use crate::regions::keys::{Key, quantity, unknown};
-use crate::sweep::records::placed;
+use crate::tasks::axes::{Asker, Key, keys, quantity, unknown};
+use crate::tasks::records::placed;
 use carom_feeder::Outcome;
 use carom_scene::unit::Dimension;
 use carom_scene::{Problem, ProblemKind, Problems, Scene};
@@ -13,7 +10,6 @@ use carom_study::Ending;
 use carom_study::fits::{Observation, Seen, Timed};
 use carom_words::study;
 use std::ops::Range;
-use std::path::Path;
 
 /// Problems of the runs that are told one by one.
 const MOST_TOLD: usize = 50;
@@ -54,18 +50,22 @@ struct Reader<'s> {
     faces: usize,
     /// Scatter of times that have none of their own [s].
     scatter: Option<f64>,
+    asker: Asker,
     problems: Vec<Problem>,
 }
 
 /// Reads the runs; `scatter` is that of times that have none of their own.
-pub(super) fn read(scene: &Scene, path: &Path, scatter: Option<f64>, over: &[Over]) -> Result<Runs, Failure> {
-    let text = files::read_input(path)?;
+pub(super) fn read(
+    scene: &Scene,
+    (file, text): (&str, &str),
+    (scatter, asker): (Option<f64>, Asker),
+    over: &[Over],
+) -> Result<Runs, Problems> {
     let source = text.trim_start_matches('\u{feff}').to_owned();
     let faces = scene.feeder().part.body.shape.rests().len();
-    let mut reader = Reader { scene, faces, scatter, problems: vec![] };
-    let file = path.display().to_string();
+    let mut reader = Reader { scene, faces, scatter, asker, problems: vec![] };
     let mut runs = Runs {
-        file,
+        file: file.to_owned(),
         columns: vec![],
         conditions: vec![],
         observations: vec![],
@@ -79,7 +79,7 @@ pub(super) fn read(scene: &Scene, path: &Path, scatter: Option<f64>, over: &[Ove
     }
     let more = problems.len().saturating_sub(MOST_TOLD);
     problems.truncate(MOST_TOLD);
-    Err(Failure::from(Problems::new(&runs.file, &source, problems).and_more(more)))
+    Err(Problems::new(&runs.file, &source, problems).and_more(more))
 }
 
 /// Lines with the byte at which each begins, without their ends.
@@ -127,7 +127,7 @@ impl Reader<'_> {
                 return vec![];
             }
         };
-        let keys = keys(self.scene);
+        let keys = keys(self.scene, self.asker);
         let mut found: Vec<(String, Column)> = vec![];
         for (name, place) in cells {
             let place = at + place.start..at + place.end;
@@ -151,7 +151,8 @@ impl Reader<'_> {
                 self.push(ProblemKind::Conflict, &name, "is named twice".to_owned(), place.clone());
             }
             if over.iter().any(|over| over.path == name) {
-                let message = "is fitted (--over): it cannot be set by rows as well".to_owned();
+                let option = self.asker.option("over");
+                let message = format!("is fitted ({option}): it cannot be set by rows as well");
                 self.push(ProblemKind::Conflict, &name, message, place);
             }
             found.push((name, column));

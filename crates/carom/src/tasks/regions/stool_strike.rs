@@ -1,14 +1,14 @@
 //! A stool that comes down from its support O on the neighbour K: which of the two stay.
 
-use super::keys::{Key, Plane};
 use super::study::{Curve, Label, Study};
-use crate::table::fixed;
-use crate::tolerance::REGION_ACCURACY;
+use crate::tasks::axes::{Key, Plane};
+use crate::tasks::tolerance::REGION_ACCURACY;
 use carom_figure::RegionName;
 use carom_scene::unit::Dimension;
 use carom_study::regions::Regions;
 use carom_study::spatial_strikes::StoolStrike;
 use carom_theory::spatial::{Approach, Stool};
+use carom_words::number::ascii as fixed;
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) const LEAST: f64 = 1e-3;

@@ -1,10 +1,8 @@
 //! What a region diagram says in words and as JSON.
 
-use super::keys::{Axis, Key, Plane};
 use super::study::{Comparison, EndsShares, Findings, Study};
-use crate::side_by_side::aligned;
-use crate::table::fixed;
-use crate::tolerance::SHARE_SHOWN;
+use crate::tasks::axes::{Axis, Key, Plane};
+use crate::tasks::tolerance::SHARE_SHOWN;
 use carom_figure::RegionName;
 use carom_scene::{
     RegionsAxisReport, RegionsBoundaryReport, RegionsClosedFormReport, RegionsEndsReport,
@@ -12,12 +10,13 @@ use carom_scene::{
     RegionsWorkReport,
 };
 use carom_study::regions::{Boundary, Junction, Regions, Share};
+use carom_words::aligned;
+use carom_words::number::ascii as fixed;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::path::PathBuf;
 
 /// For a person.
-pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) -> String {
+pub(super) fn text(study: &Study<'_>, findings: &Findings) -> String {
     let regions = &findings.regions;
     let mut text = format!("{}\n{}\n\n", study.title.to_uppercase(), study.subtitle);
     let mut rows = vec![["region", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
@@ -73,9 +72,6 @@ pub(super) fn text(study: &Study<'_>, findings: &Findings, files: &[PathBuf]) ->
         let _ = writeln!(text, "\n{remark}");
     }
     text.push('\n');
-    for file in files {
-        let _ = writeln!(text, "{}", file.display());
-    }
     text
 }
 
@@ -144,7 +140,7 @@ pub(super) fn summary(study: &Study<'_>, findings: &Findings) -> RegionsReport {
 }
 
 /// The labels of a diagram with the room they take.
-pub(crate) fn labels<L: Copy>(
+pub(in crate::tasks) fn labels<L: Copy>(
     regions: &Regions<L>,
     name: &dyn Fn(L) -> RegionName,
 ) -> Vec<RegionsLabelReport> {
@@ -156,7 +152,7 @@ pub(crate) fn labels<L: Copy>(
 }
 
 /// The boundaries of a diagram.
-pub(crate) fn boundaries<L: Copy>(
+pub(in crate::tasks) fn boundaries<L: Copy>(
     regions: &Regions<L>,
     name: &dyn Fn(L) -> String,
 ) -> Vec<RegionsBoundaryReport> {
@@ -169,7 +165,7 @@ pub(crate) fn boundaries<L: Copy>(
 }
 
 /// Where three or more labels of a diagram meet.
-pub(crate) fn junctions<L: Copy>(
+pub(in crate::tasks) fn junctions<L: Copy>(
     regions: &Regions<L>,
     name: &dyn Fn(L) -> String,
 ) -> Vec<RegionsJunctionReport> {
@@ -182,7 +178,7 @@ pub(crate) fn junctions<L: Copy>(
     regions.junctions.iter().map(junction).collect()
 }
 
-pub(crate) fn axis(axis: &Axis, keys: &[Key]) -> RegionsAxisReport {
+pub(in crate::tasks) fn axis(axis: &Axis, keys: &[Key]) -> RegionsAxisReport {
     RegionsAxisReport {
         key: keys[axis.key].name.clone(),
         unit: axis.unit().to_owned(),

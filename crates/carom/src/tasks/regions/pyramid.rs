@@ -1,8 +1,8 @@
 //! A pyramid that rolls over its lateral edge onto the next face: which of the three points stay, over its shape.
 
-use super::keys::{Axis, Key, Plane};
 use super::study::{Curve, Label, Study};
-use crate::tolerance::{BRACKET, REGION_ACCURACY};
+use crate::tasks::axes::{Axis, Key, Plane};
+use crate::tasks::tolerance::{BRACKET, REGION_ACCURACY};
 use carom_figure::RegionName;
 use carom_scene::RegionsThresholdReport;
 use carom_scene::unit::Dimension;

@@ -1,6 +1,6 @@
 //! What happens at which interval, as a picture.
 
-use super::{Searched, report};
+use super::{FeedStudy, report};
 use carom_feeder::Outcome;
 use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
 use carom_study::feeds::{End, Kind};
@@ -31,7 +31,7 @@ fn fill_of_part(kind: Kind, end: &End) -> IntervalFill {
 }
 
 /// The strips as SVG.
-pub(super) fn svg(searched: &Searched<'_>) -> String {
+pub(super) fn svg(searched: &FeedStudy<'_>) -> String {
     let found = &searched.found;
     let pieces = found.stretches.iter().map(|piece| IntervalPiece {
         from: piece.first,
