@@ -199,7 +199,7 @@ fn drawn(
         known.unwrap_or_else(|| Node::of(feeder(x, y), [x, y], plate))
     };
     let places: Vec<[f64; 2]> = regions::nodes([x, y]).collect();
-    let nodes: Vec<Node> = places.par_iter().map(|&[x, y]| node(x, y)).collect();
+    let nodes: Vec<Node> = places.par_iter().panic_fuse().map(|&[x, y]| node(x, y)).collect();
     let labels = nodes.iter().map(|node| node.ending).collect();
     let regions = regions::find_between([x, y], options, labels, &|x, y| node(x, y).ending)?;
     let drops = nodes.len() + regions.evaluations;

@@ -127,7 +127,7 @@ pub fn find<L: Clone + PartialEq + Send + Sync, K: PartialEq>(
 }
 
 fn asked_at<L: Send>(places: &[f64], classify: &(dyn Fn(f64) -> L + Sync)) -> Vec<Sample<L>> {
-    places.par_iter().map(|at| Sample { at: *at, label: classify(*at) }).collect()
+    places.par_iter().panic_fuse().map(|at| Sample { at: *at, label: classify(*at) }).collect()
 }
 
 /// The same answers, with those of the bisections between neighbours that differ.

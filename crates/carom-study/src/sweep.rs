@@ -33,5 +33,5 @@ fn dropped(
     feeder: &(dyn Fn(&[f64]) -> Option<Feeder> + Sync),
 ) -> Vec<Dropped> {
     let drop = |values: &Vec<f64>| Dropped::of(feeder(values).as_ref(), plate, &Options::default());
-    designs.par_iter().map(drop).collect()
+    designs.par_iter().panic_fuse().map(drop).collect()
 }

@@ -274,7 +274,7 @@ impl Judge<'_> {
             let doubled = self.yields(point, 2.0, samples)?;
             Some(Design { point: point.clone(), judged, yields, doubled })
         };
-        points.par_iter().filter_map(of).collect()
+        points.par_iter().panic_fuse().filter_map(of).collect()
     }
 
     /// What a demand forbids among these layouts.

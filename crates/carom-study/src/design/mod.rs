@@ -140,7 +140,7 @@ pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
     let judge = Judge { space, goal };
     let scanned = goal.scanned.next_power_of_two();
     let points: Vec<Vec<f64>> = (0..scanned).map(|number| sobol.point(number)).collect();
-    let judged: Vec<Judged> = points.par_iter().map(|point| judge.nominal(point)).collect();
+    let judged: Vec<Judged> = points.par_iter().panic_fuse().map(|point| judge.nominal(point)).collect();
     let forbidden = Demand::ALL.iter().map(|demand| judge.forbidden(*demand, &judged)).collect();
     let mut met: Vec<(&Vec<f64>, &Judged)> =
         points.iter().zip(&judged).filter(|(_, judged)| judged.failed.is_empty()).collect();

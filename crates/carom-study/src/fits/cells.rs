@@ -141,7 +141,7 @@ impl<'a> Grid<'a> {
             let log = self.likelihood.log(&stats);
             Node { stats, log }
         };
-        let asked: Vec<Node> = new.par_iter().map(ask).collect();
+        let asked: Vec<Node> = new.par_iter().panic_fuse().map(ask).collect();
         self.nodes.extend(new.into_iter().zip(asked));
     }
 

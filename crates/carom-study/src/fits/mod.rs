@@ -256,7 +256,7 @@ pub fn fit(
     let points = plan.points();
     let ask = |values: &[f64]| {
         let under = |condition: usize| -> Vec<Simulated> {
-            points.par_iter().map(|point| simulate(values, condition, point)).collect()
+            points.par_iter().panic_fuse().map(|point| simulate(values, condition, point)).collect()
         };
         likelihood.stats(&(0..plan.conditions).map(under).collect::<Vec<_>>())
     };

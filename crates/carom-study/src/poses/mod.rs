@@ -205,6 +205,7 @@ pub fn sample(
     let all: Vec<u64> = (0..chunks * REPETITIONS as u64).collect();
     let thrown: Vec<Vec<Numbered>> = all
         .par_iter()
+        .panic_fuse()
         .map(|place| {
             let (repetition, chunk) = ((place / chunks) as usize, place % chunks);
             let numbers = chunk * CHUNK..((chunk + 1) * CHUNK).min(samples);

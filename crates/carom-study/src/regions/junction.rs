@@ -150,8 +150,12 @@ impl<L: Label> Lattice<'_, L> {
 
     fn shrink(&self, mut window: Window, mut labels: Vec<L>) -> Shrunk<L> {
         while window.largest() > self.accuracy {
-            let halves: Vec<(Window, Vec<L>)> =
-                window.halves().into_par_iter().map(|half| (half, self.meeting(&half))).collect();
+            let halves: Vec<(Window, Vec<L>)> = window
+                .halves()
+                .into_par_iter()
+                .panic_fuse()
+                .map(|half| (half, self.meeting(&half)))
+                .collect();
             let most = halves.iter().map(|(_, labels)| labels.len()).max().unwrap_or(0);
             if most == 0 {
                 break;

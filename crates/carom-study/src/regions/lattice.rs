@@ -119,7 +119,8 @@ impl<'a, L: Label> Lattice<'a, L> {
     pub(super) fn learn(&mut self, nodes: impl Iterator<Item = [usize; 2]>) {
         let unknown: BTreeSet<[usize; 2]> = nodes.filter(|node| self.known.get(*node).is_none()).collect();
         let unknown: Vec<[usize; 2]> = unknown.into_iter().collect();
-        let labels: Vec<L> = unknown.par_iter().map(|node| self.ask(self.shares(*node))).collect();
+        let labels: Vec<L> =
+            unknown.par_iter().panic_fuse().map(|node| self.ask(self.shares(*node))).collect();
         unknown.into_iter().zip(labels).for_each(|(node, label)| self.known.insert(node, label));
     }
 
@@ -131,7 +132,8 @@ impl<'a, L: Label> Lattice<'a, L> {
         };
         let sides: BTreeSet<Side> = sides.filter(differs).collect();
         let sides: Vec<Side> = sides.into_iter().collect();
-        let found: Vec<Option<Vec<Crossing<L>>>> = sides.par_iter().map(|side| self.between(*side)).collect();
+        let found: Vec<Option<Vec<Crossing<L>>>> =
+            sides.par_iter().panic_fuse().map(|side| self.between(*side)).collect();
         let both = sides.into_iter().zip(found);
         self.ready.extend(both.filter_map(|(side, found)| Some((side, found?))));
     }

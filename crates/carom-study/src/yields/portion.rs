@@ -176,7 +176,7 @@ fn counted(
     let mut whole = Tally::new(&plan);
     // So many at a time that counts which wait to be put together take little memory.
     for some in pieces.chunks(1024) {
-        let tallies: Vec<Tally> = some.par_iter().map(tally).collect();
+        let tallies: Vec<Tally> = some.par_iter().panic_fuse().map(tally).collect();
         tallies.into_iter().for_each(|tally| whole.take(tally));
     }
     whole

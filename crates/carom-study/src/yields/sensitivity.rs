@@ -270,7 +270,7 @@ impl Counts {
             a
         };
         // Sums of whole numbers: their order does not matter.
-        whose.share(whose.samples).into_par_iter().map(one).reduce(|| none.clone(), together)
+        whose.share(whose.samples).into_par_iter().panic_fuse().map(one).reduce(|| none.clone(), together)
     }
 
     fn of(asked: &Asked) -> Self {
