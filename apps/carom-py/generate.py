@@ -21,6 +21,10 @@ ANSWERS = {
     "roll": {"RollReport": "PlanarRoll", "SpatialRollReport": "SpatialRoll", "PoseReport": "Throws"},
     "yield": {"carom yield": "Yield"},
     "design": {"carom design": "Design"},
+    "map": {"carom map": "Map"},
+    "regions": {"carom regions": "Regions"},
+    "feed": {"carom feed": "Feed"},
+    "fit": {"carom fit": "Fit"},
 }
 #: The module of what several schemas define alike.
 SHARED = "shared"

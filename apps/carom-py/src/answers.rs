@@ -5,7 +5,8 @@ use crate::scene::Scene;
 use crate::watch::long;
 use carom::study::yields::Points;
 use carom::tasks;
-use carom::tasks::design::{DesignError, DesignPlan, DesignStudy, design_space};
+use carom::tasks::StudyError;
+use carom::tasks::design::{DesignPlan, DesignStudy, design_space};
 use carom::tasks::impact::ImpactStudy;
 use carom::tasks::impact::space::SpatialImpactStudy;
 use carom::tasks::roll::RollStudy;
@@ -22,22 +23,30 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 /// An answer as JSON, and the files that come with it, by their names.
-type Answer = (String, BTreeMap<String, String>);
+pub(crate) type Answer = (String, BTreeMap<String, String>);
 
-fn pretty(value: &impl Serialize) -> PyResult<String> {
+pub(crate) fn pretty(value: &impl Serialize) -> PyResult<String> {
     serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(of_fault)
 }
 
-fn named<N: Into<String>>(files: impl IntoIterator<Item = (N, String)>) -> BTreeMap<String, String> {
+pub(crate) fn named<N: Into<String>>(files: impl IntoIterator<Item = (N, String)>) -> BTreeMap<String, String> {
     files.into_iter().map(|(name, text)| (name.into(), text)).collect()
 }
 
-fn spent(drops: usize, begun: Instant, threads: usize) -> StudyRunReport {
+pub(crate) fn spent(drops: usize, begun: Instant, threads: usize) -> StudyRunReport {
     StudyRunReport { drops, seconds: begun.elapsed().as_secs_f64(), threads }
 }
 
+/// Why a study has no answer, as the package's exception.
+pub(crate) fn refused(py: Python<'_>, error: &StudyError) -> PyErr {
+    match error {
+        StudyError::Input(problems) => of_inputs(py, problems),
+        StudyError::Asked(message) | StudyError::Undone(message) => of_words(py, message),
+    }
+}
+
 /// TOML of what was given: TOML, or one JSON object.
-fn toml(py: Python<'_>, name: &str, text: &str, json: bool) -> PyResult<String> {
+pub(crate) fn toml(py: Python<'_>, name: &str, text: &str, json: bool) -> PyResult<String> {
     if !json {
         return Ok(text.to_owned());
     }
@@ -178,17 +187,13 @@ pub(crate) fn design(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Answer> {
     let scene = &scene.inner;
-    let refused = |error: DesignError| match error {
-        DesignError::Scene(problems) => of_input(py, &problems),
-        DesignError::Asked(message) | DesignError::Undone(message) => of_words(py, &message),
-    };
-    let space = design_space(scene).map_err(refused)?;
+    let space = design_space(scene).map_err(|error| refused(py, &error))?;
     let begun = Instant::now();
     let plan = DesignPlan { scan, samples, seed };
     let (study, threads) = long(py, None, progress, |watch| {
         let study = DesignStudy::searched(scene, &space, plan, || watch.step(), |_| {});
         (study, carom_study::threads())
     })?;
-    let study = study.map_err(refused)?;
+    let study = study.map_err(|error| refused(py, &error))?;
     Ok((pretty(&study.summary(spent(study.drops, begun, threads)))?, named(study.files())))
 }

@@ -19,6 +19,8 @@ mod impacts;
 #[cfg(feature = "python")]
 mod scene;
 #[cfg(feature = "python")]
+mod studies;
+#[cfg(feature = "python")]
 mod table;
 #[cfg(feature = "python")]
 mod watch;
@@ -35,6 +37,8 @@ mod _carom {
     use crate::impacts::impacts;
     #[pymodule_export]
     use crate::scene::Scene;
+    #[pymodule_export]
+    use crate::studies::{feed, fit, map, regions};
     #[pymodule_export]
     use crate::table::Table;
 

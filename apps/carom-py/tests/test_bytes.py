@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import carom
 import numpy as np
 import pytest
+from carom import Answer
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
 
@@ -105,3 +107,51 @@ def test_a_run_is_a_drop() -> None:
     run = carom.run("examples/case_2.toml")
     assert table["end_s"][0] == run.end_s
     assert table["margin"][0] == run.margin
+
+
+def plain(said: dict[str, object]) -> dict[str, object]:
+    """All but what it took."""
+    return {key: value for key, value in said.items() if key != "run"}
+
+
+FRICTION, SLOPE = "contact.friction=0.05..0.17:12", "plate.upper.slope=9..25 deg:12"
+#: What the command is asked, and Python.
+STUDIES: dict[str, tuple[list[str], Callable[[], Answer]]] = {
+    "map": (
+        ["map", "examples/case_2.toml", "--x", FRICTION, "--y", SLOPE, "--depth", "1"],
+        lambda: carom.map("examples/case_2.toml", FRICTION, ("plate.0.slope", "9 deg", "25 deg", 12), depth=1),
+    ),
+    "regions": (
+        ["regions", "cylinder", "--set", "inertia_ratio=0.5", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"],
+        lambda: carom.regions("cylinder", ("friction", 0, 1.5, 12), "gamma=1..89 deg:12", set={"inertia_ratio": 0.5}),
+    ),
+    "regions of a file": (
+        ["regions", "--file", "examples/impact_box.toml", "--x", "body.spin=-10..10:8", "--y", "contact.0.friction=0..1:8"],
+        lambda: carom.regions(Path("examples/impact_box.toml"), ("body.spin", -10, 10, 8), ("contact.0.friction", 0, 1, 8)),
+    ),
+    "feed": (
+        ["feed", "examples/feed_closely.toml", "--parts", "2", "--intervals", "16"],
+        lambda: carom.feed("examples/feed_closely.toml", parts=2, intervals=16),
+    ),
+    "fit": (
+        ["fit", "examples/measured.toml", "examples/measured.csv", "--samples", "64", "--nodes", "200"],
+        lambda: carom.fit("examples/measured.toml", "examples/measured.csv", samples=64, nodes=200),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_a_study(name: str, command: Path, tmp_path: Path) -> None:
+    words, asked = STUDIES[name]
+    said = json.loads(subprocess.run([command, *words, "--format", "json", "--out", tmp_path], capture_output=True, check=True).stdout)
+    answer = asked()
+    assert plain(answer.to_dict()) == plain(said)
+    assert as_plain(answer) == as_plain(answer.to_dict())
+    told = next(name for name in answer.files if name.endswith(".json"))
+    written = {path.name: path for path in tmp_path.rglob("*") if path.is_file() and path.suffix != ".png"}
+    assert set(written) == {*answer.files, *answer.tables}
+    for file, text in answer.files.items():
+        assert file == told or written[file].read_bytes() == text.encode(), file
+    for file, table in answer.tables.items():
+        assert written[file].read_bytes() == table, file
+    assert {path.name for path in answer.save(tmp_path / "own")} == set(written)

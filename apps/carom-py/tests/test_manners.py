@@ -27,8 +27,12 @@ def dropped(friction: float) -> float:
         lambda: carom.drops(CASE, {"contact.friction": np.full(10_000_000, 0.15)}),
         lambda: carom.yield_("examples/designer.toml", samples=1 << 24),
         lambda: carom.design("examples/design_turn_once.toml", samples=1 << 28),
+        lambda: carom.map(CASE, "contact.friction=0..0.3:1000", "plate.upper.slope=9..25 deg:1000", accuracy=1e-12, depth=8),
+        lambda: carom.regions("stool", "tilt=1..80 deg:1000", "direction=40..140 deg:1000"),
+        lambda: carom.feed("examples/feed_closely.toml", parts=20, intervals=4000),
+        lambda: carom.fit("examples/measured.toml", "examples/measured.csv", samples=1 << 20, nodes=1 << 20),
     ],
-    ids=["drops", "yield", "design"],
+    ids=["drops", "yield", "design", "map", "regions", "feed", "fit"],
 )
 def test_ctrl_c_stops_long_work(work: object) -> None:
     begun = 0.0

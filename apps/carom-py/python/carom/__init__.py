@@ -1,7 +1,8 @@
 """Carom computes exactly what rigid parts do when they touch: slide, tip, fall, strike, stick, rebound.
 
 One question at a time: :func:`run` a scene, resolve an :func:`impact`, ask what :func:`contact` forces are consistent, follow what can
-:func:`roll`, find a :func:`yield_` or a :func:`design`. By the million: :func:`drops` and :func:`impacts` take arrays.
+:func:`roll`, find a :func:`yield_` or a :func:`design`, draw a :func:`map` or :func:`regions`, :func:`feed` many parts, :func:`fit`
+what was observed. By the million: :func:`drops` and :func:`impacts` take arrays.
 
 All values are SI, in a world with x to the right and y up; angles and spins are counter-clockwise. Text may carry other units: ``"12 deg"``.
 
@@ -16,10 +17,15 @@ from __future__ import annotations
 from carom._carom import __version__
 from carom._many import drops, impacts
 from carom._one import contact, design, impact, roll, run, yield_
+from carom._studies import feed, fit, map, regions
 from carom._answer import Answer
 from carom.answers.contact import Contact
 from carom.answers.design import Design
+from carom.answers.feed import Feed
+from carom.answers.fit import Fit
 from carom.answers.impact import PlanarImpact, SpatialImpact
+from carom.answers.map import Map
+from carom.answers.regions import Regions
 from carom.answers.roll import PlanarRoll, SpatialRoll
 from carom.answers.run import Run
 from carom.answers.yield_ import Yield
@@ -32,10 +38,14 @@ __all__ = [
     "CaromError",
     "Contact",
     "Design",
+    "Feed",
+    "Fit",
+    "Map",
     "PlanarImpact",
     "PlanarRoll",
     "Problem",
     "Quantity",
+    "Regions",
     "Run",
     "Scene",
     "SpatialImpact",
@@ -46,8 +56,12 @@ __all__ = [
     "contact",
     "design",
     "drops",
+    "feed",
+    "fit",
     "impact",
     "impacts",
+    "map",
+    "regions",
     "roll",
     "run",
     "yield_",

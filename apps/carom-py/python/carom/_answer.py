@@ -27,18 +27,26 @@ class Answer:
         files: dict[str, str] = self.__dict__["_files"]
         return files
 
+    @property
+    def tables(self) -> dict[str, bytes]:
+        """The tables that the command writes as Parquet, by the names of their files."""
+        tables: dict[str, bytes] = self.__dict__["_tables"]
+        return tables
+
     def to_dict(self) -> dict[str, Any]:
         """The answer as plain dictionaries and lists."""
         plain: dict[str, Any] = json.loads(self.json)
         return plain
 
     def save(self, folder: str | Path) -> list[Path]:
-        """Writes :attr:`files` into a folder, which is made where it is not there; returns where they are."""
+        """Writes :attr:`files` and :attr:`tables` into a folder, which is made where it is not there; returns where they are."""
         place = Path(folder)
         place.mkdir(parents=True, exist_ok=True)
         for name, text in self.files.items():
             (place / name).write_text(text, encoding="utf-8", newline="")
-        return [place / name for name in self.files]
+        for name, table in self.tables.items():
+            (place / name).write_bytes(table)
+        return [place / name for name in (*self.files, *self.tables)]
 
     def _repr_html_(self) -> str | None:
         """The page of the answer, for a notebook. It runs apart from the notebook's own page."""
@@ -48,12 +56,17 @@ class Answer:
         source = html.escape(page, quote=True)
         return f'<iframe srcdoc="{source}" sandbox="allow-scripts" style="width: 100%; height: 60em; border: 0"></iframe>'
 
+    def _repr_svg_(self) -> str | None:
+        """The picture of an answer that has no page, for a notebook."""
+        return next((text for name, text in self.files.items() if name.endswith(".svg")), None)
+
     @classmethod
-    def _of(cls, answer: tuple[str, dict[str, str]], file: str) -> Self:
+    def _of(cls, answer: tuple[str, dict[str, str]], file: str, tables: dict[str, bytes] | None = None) -> Self:
         text, files = answer
         made: Self = _build(cls, json.loads(text))
         made.__dict__["_json"] = text
         made.__dict__["_files"] = {file: text, **files}
+        made.__dict__["_tables"] = tables or {}
         return made
 
 

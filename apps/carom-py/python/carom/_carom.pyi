@@ -13,6 +13,10 @@ __all__ = [
     "yields",
     "drops",
     "impacts",
+    "feed",
+    "fit",
+    "map",
+    "regions",
     "Scene",
     "Table",
     "__version__",
@@ -22,6 +26,8 @@ __version__: str
 
 _Progress = Callable[[int, int | None], object]
 _Answer = tuple[str, dict[str, str]]
+_Tabled = tuple[str, dict[str, str], dict[str, bytes]]
+_Asks = dict[str, Any]
 
 @final
 class Scene:
@@ -66,3 +72,7 @@ def drops(
     scene: Scene, columns: list[tuple[str, NDArray[np.float64]]], plate: str | None = None, progress: _Progress | None = None
 ) -> Table: ...
 def impacts(columns: list[NDArray[np.float64]], law: str, progress: _Progress | None = None) -> Table: ...
+def feed(scene: Scene, parts: int | None, intervals: int, accuracy: float, progress: _Progress | None = None) -> _Answer: ...
+def fit(scene: Scene, runs: tuple[str, str], asks: _Asks, progress: _Progress | None = None) -> _Answer: ...
+def map(scene: Scene, asks: _Asks, progress: _Progress | None = None) -> _Tabled: ...
+def regions(asks: _Asks, progress: _Progress | None = None) -> _Tabled: ...

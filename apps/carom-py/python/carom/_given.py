@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+import operator
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
@@ -17,6 +18,17 @@ from carom.errors import CaromError, Problem
 FileLike: TypeAlias = str | os.PathLike[str] | Mapping[str, Any]
 #: Values by their paths: numbers are SI, text has a unit.
 Values: TypeAlias = Mapping[str, float | str]
+
+
+class Frame(Protocol):
+    """A table with named columns, of pandas or polars."""
+
+    @property
+    def columns(self) -> Any:
+        """The names."""
+
+    def __getitem__(self, name: Any, /) -> Any:
+        """A column."""
 
 
 def is_path(given: str | os.PathLike[str]) -> bool:
@@ -90,3 +102,26 @@ def read(given: FileLike, name: str) -> tuple[str, str, bool]:
             why = "there is no such file" if isinstance(error, FileNotFoundError) else str(error)
             raise CaromError(f"{path}: {why}", [Problem(why, kind="file")]) from error
     return name, os.fspath(given), False
+
+
+def within(name: str, value: int, low: int, high: int) -> int:
+    """A whole number that is neither too small nor too large."""
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise CaromError(f"{name}: expected a whole number, not {value!r}") from None
+    if not low <= whole <= high:
+        raise CaromError(f"{name}: {whole} is outside {low} to {high}")
+    return whole
+
+
+def table_of(given: Any) -> Mapping[str, Any] | None:
+    """Columns by their names: of a dictionary, of a structured array, of a frame of pandas or polars; None of what is no table."""
+    if isinstance(given, Mapping):
+        return given
+    if isinstance(given, np.ndarray):
+        return None if given.dtype.names is None else {name: given[name] for name in given.dtype.names}
+    columns = getattr(given, "columns", None)
+    if columns is None or not hasattr(given, "__getitem__"):
+        return None
+    return {str(name): given[name] for name in columns}

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom import _carom
-from carom._given import Values, mapping
+from carom._given import Frame, Values, mapping, table_of
 from carom._progress import Progress, Told
 from carom.errors import CaromError, Problem
 from carom.scene import SceneLike, scene_of
@@ -44,7 +44,7 @@ def _kind(array: NDArray[Any]) -> str:
 
 def drops(
     scene: SceneLike,
-    columns: Mapping[str, ArrayLike] | NDArray[Any],
+    columns: Mapping[str, ArrayLike] | NDArray[Any] | Frame,
     *,
     plate: str | int | None = None,
     set: Values | None = None,
@@ -53,7 +53,7 @@ def drops(
     """One drop in each design, on all cores.
 
     ``columns`` gives quantities of the scene by their paths, SI (angles in rad), one value a row; one value alone stands for every row. A
-    structured array is taken as well. ``set`` gives other values to the scene first. ``plate`` is the one whose ending is told, the last where none is given. The columns that come out are those of
+    structured array and a frame of pandas or polars are taken as well. ``set`` gives other values to the scene first. ``plate`` is the one whose ending is told, the last where none is given. The columns that come out are those of
     ``carom sweep``: ``ending``, ``outcome``, ``impact_speed_m_s``, ``max_sliding_speed_m_s``, ``first_touch_s``, ``flat_s``, ``end_s``, ``margin``.
 
     ``ending`` is ``same side``, ``turned`` or ``face 2`` where the part lies on the plate, ``stays`` of a disc, how the run ended where it does not
@@ -67,12 +67,11 @@ def drops(
     >>> carom.drops("examples/case_2.toml", {"contact.friction": friction}).counts()
     {'turned': 3, 'same side': 2}
     """
-    if isinstance(columns, np.ndarray):
-        if columns.dtype.names is None:
-            raise CaromError("columns: the array has no names: give a structured array or a dictionary of columns")
-        columns = {name: columns[name] for name in columns.dtype.names}
+    named = table_of(columns)
+    if named is None and isinstance(columns, np.ndarray):
+        raise CaromError("columns: the array has no names: give a structured array or a dictionary of columns")
     inner = scene_of(scene, set)
-    given = _columns(mapping(columns, "columns"), "drops", [])
+    given = _columns(mapping(named or columns, "columns"), "drops", [])
     with Told(progress) as hear:
         return Table(_carom.drops(inner, given, None if plate is None else str(plate), hear))
 

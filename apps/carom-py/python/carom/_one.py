@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import operator
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
 import numpy as np
 
 from carom import _carom
-from carom._given import FileLike, Values, as_text, mapping, read
+from carom._given import FileLike, Values, as_text, mapping, read, within
 from carom._progress import Progress, Told
 from carom.answers.contact import Contact
 from carom.answers.design import Design
@@ -110,16 +109,6 @@ def _roll_value(key: str, value: object) -> str:
     return as_text(key, value, "")
 
 
-def _within(name: str, value: int, low: int, high: int) -> int:
-    try:
-        whole = operator.index(value)
-    except TypeError:
-        raise CaromError(f"{name}: expected a whole number, not {value!r}") from None
-    if not low <= whole <= high:
-        raise CaromError(f"{name}: {whole} is outside {low} to {high}")
-    return whole
-
-
 def yield_(
     scene: SceneLike,
     *,
@@ -142,8 +131,8 @@ def yield_(
     >>> 0.5 < found.yield_.share <= 1
     True
     """
-    samples = _within("samples", samples, 16, 1 << 34)
-    seed = _within("seed", seed, 0, (1 << 64) - 1)
+    samples = within("samples", samples, 16, 1 << 34)
+    seed = within("seed", seed, 0, (1 << 64) - 1)
     with Told(progress) as hear:
         plate = None if plate is None else str(plate)
         return Yield._of(_carom.yields(scene_of(scene, set), samples, seed, plain, plate, hear), "yield.json")
@@ -169,8 +158,8 @@ def design(
     >>> "design.toml" in found.files
     True
     """
-    scan = _within("scan", scan, 16, 1 << 24)
-    samples = _within("samples", samples, 16, 1 << 34)
-    seed = _within("seed", seed, 0, (1 << 64) - 1)
+    scan = within("scan", scan, 16, 1 << 24)
+    samples = within("samples", samples, 16, 1 << 34)
+    seed = within("seed", seed, 0, (1 << 64) - 1)
     with Told(progress) as hear:
         return Design._of(_carom.design(scene_of(scene, set), scan, samples, seed, hear), "design.json")

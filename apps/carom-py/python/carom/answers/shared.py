@@ -177,6 +177,62 @@ class Probability:
 
 
 @dataclass(frozen=True, kw_only=True)
+class RegionsAxis:
+    """An axis of a diagram."""
+
+    cells: int
+    """Cells of the first grid."""
+    from_: float
+    """Where it begins."""
+    key: str
+    """The quantity's key."""
+    to: float
+    """Where it ends."""
+    unit: str
+    """The unit of `from`, `to` and of every coordinate; empty for plain numbers."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RegionsBoundary:
+    """A boundary between two labels."""
+
+    closed: bool
+    """True where it closes upon itself."""
+    labels: list[str]
+    """The labels on its two sides."""
+    points: int
+    """Points of its polyline; they are in `regions.csv`."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RegionsJunction:
+    """A point where three or more labels meet."""
+
+    accuracy_share: float
+    """Size of the window that it lies in, as a share of the axes."""
+    labels: list[str]
+    """The labels."""
+    x: float
+    """Abscissa, in the axis' unit."""
+    y: float
+    """Ordinate, in the axis' unit."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RegionsLabel:
+    """A label with the room it takes."""
+
+    area_share: float
+    """Share of the plane, 0 to 1."""
+    grid_nodes: int
+    """Nodes of the first grid that have it."""
+    label: str
+    """The label, as it stands in its region."""
+    words: str
+    """What it is."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Rejected:
     """A hypothesis that is not consistent."""
 
