@@ -9,10 +9,10 @@ mod tree;
 
 use crate::args::Arguments;
 use crate::carry_out;
-use crate::disk::Call;
-use crate::disk::faults::{CAUSE, Fault, OUTPUT, Printed, during};
 use crate::failure::Failure;
+use crate::faults::{CAUSE, Fault, OUTPUT, Printed, during};
 use carom_scene::columns::is_sealed;
+use carom_sweep::disk::Call;
 use clap::Parser;
 use std::collections::BTreeMap;
 use std::io::{BufWriter, Error, Write};

@@ -1,7 +1,8 @@
 //! Why a command did not do what it was asked to.
 
 use carom::tasks::StudyError;
-use carom_scene::{Problem, ProblemKind, Problems};
+use carom_scene::Problems;
+use carom_sweep::disk;
 use std::fmt;
 use std::path::Path;
 
@@ -28,17 +29,12 @@ impl Failure {
 
     /// A file or folder that could not be written or read.
     pub(crate) fn file(doing: &str, path: &Path, error: &std::io::Error) -> Self {
-        Self::Undone(format!("cannot {doing} {}: {error}", path.display()))
+        disk::undone(doing, path, error).into()
     }
 
     /// An input file that cannot be read.
     pub(crate) fn unread(path: &Path, error: &std::io::Error) -> Self {
-        let message = match error.kind() {
-            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-            _ => error.to_string(),
-        };
-        let problem = Problem::new(ProblemKind::File, "", message, None);
-        Self::from(Problems::new(&path.display().to_string(), "", vec![problem]))
+        disk::unread(path, error).into()
     }
 }
 

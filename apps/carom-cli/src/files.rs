@@ -1,10 +1,10 @@
 //! Files that a command reads and writes, and opening them.
 
-use crate::disk;
 use crate::failure::Failure;
 use crate::printed::tell;
 use carom_scene::Scene;
 use carom_scene::columns::ColumnsError;
+use carom_sweep::disk;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 

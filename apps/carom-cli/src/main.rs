@@ -7,10 +7,11 @@
 mod args;
 mod contact;
 mod design;
-mod disk;
 mod draw;
 mod faces;
 mod failure;
+#[cfg(test)]
+mod faults;
 mod feed;
 mod feeding;
 mod files;

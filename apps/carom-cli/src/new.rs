@@ -2,8 +2,9 @@
 
 use crate::args::{Format, NewOptions, Output};
 use crate::failure::Failure;
-use crate::{disk, files};
+use crate::files;
 use carom_scene::Form;
+use carom_sweep::disk;
 use std::io::Write;
 use std::path::Path;
 

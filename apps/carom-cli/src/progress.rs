@@ -38,11 +38,11 @@ impl Progress {
 
     /// One more is done.
     pub(crate) fn step(&self) {
-        self.done.fetch_add(1, Ordering::Relaxed);
+        self.steps(1);
     }
 
-    /// These were done before.
-    pub(crate) fn skip(&self, count: usize) {
+    /// So many more are done.
+    pub(crate) fn steps(&self, count: usize) {
         self.done.fetch_add(count, Ordering::Relaxed);
     }
 

@@ -2,7 +2,7 @@
 
 use crate::args::Arguments;
 use crate::carry_out;
-use crate::disk::faults::{Fault, during};
+use crate::faults::{Fault, during};
 use carom_scene::columns::{Column, about, read};
 use clap::Parser;
 use serde_json::Value;

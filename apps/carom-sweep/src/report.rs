@@ -1,23 +1,20 @@
 //! What a sweep says.
 
-use super::folder::{Counts, Folder};
-use super::list_file::fingerprint_of;
-use super::{PART, STEP, Sweep, table};
 use crate::disk;
-use crate::failure::Failure;
-use crate::progress::spent;
-use crate::table::fixed;
-use carom_scene::{SweepManifest, SweepReport};
-use carom_words::aligned;
-use carom_words::part;
+use crate::folder::{Counts, Folder};
+use crate::list_file::fingerprint_of;
+use crate::{Of, Swept, no_json, table};
+use carom::tasks::StudyError;
+use carom_scene::{StudyRunReport, SweepManifest, SweepReport};
+use carom_words::number::ascii as fixed;
+use carom_words::{aligned, part};
 use std::fmt::Write as _;
-use std::io::Write;
 
 /// What is swept: a folder with another text is of another sweep.
-pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
+pub(crate) fn manifest(sweep: &Of<'_>) -> Result<String, StudyError> {
     let outline = sweep.scene.outline_file().map(|(_, file)| {
         let bytes = disk::read_input(&file);
-        bytes.and_then(|bytes| fingerprint_of(&bytes[..])).map_err(|error| Failure::unread(&file, &error))
+        bytes.and_then(|bytes| fingerprint_of(&bytes[..])).map_err(|error| disk::unread(&file, &error))
     });
     let manifest = SweepManifest {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -27,15 +24,15 @@ pub(super) fn manifest(sweep: &Sweep<'_>) -> Result<String, Failure> {
         quantities: sweep.designs.paths().to_vec(),
         designs: sweep.designs.described()?,
         rows: sweep.designs.len(),
-        rows_per_part: PART,
-        rows_per_step: STEP,
+        rows_per_part: sweep.sizes.part,
+        rows_per_step: sweep.sizes.step,
         columns: table::described(sweep),
     };
-    Ok(format!("{}\n", serde_json::to_string_pretty(&manifest)?))
+    Ok(format!("{}\n", serde_json::to_string_pretty(&manifest).map_err(no_json)?))
 }
 
 /// The rows that are there, of all shards, and how often each ending occurs among them.
-fn counted(sweep: &Sweep<'_>, folder: &Folder) -> Result<(u64, Counts), Failure> {
+fn counted(sweep: &Of<'_>, folder: &Folder<'_>) -> Result<(u64, Counts), StudyError> {
     let (mut rows, mut endings) = (0, Counts::new());
     let mut add = |counts: Counts| {
         for (ending, count) in counts {
@@ -57,15 +54,13 @@ fn counted(sweep: &Sweep<'_>, folder: &Folder) -> Result<(u64, Counts), Failure>
     Ok((rows, endings))
 }
 
-pub(super) fn deliver(
-    sweep: &Sweep<'_>,
-    folder: &Folder,
-    (dropped, seconds): (usize, f64),
-    json: bool,
-    out: &mut impl Write,
-) -> Result<(), Failure> {
+pub(crate) fn swept(
+    sweep: &Of<'_>,
+    folder: &Folder<'_>,
+    (drops, seconds): (usize, f64),
+) -> Result<Swept, StudyError> {
     let (rows, endings) = counted(sweep, folder)?;
-    let run = spent(dropped, seconds);
+    let run = StudyRunReport { drops, seconds, threads: carom_study::threads() };
     let report = SweepReport {
         scene: sweep.scene.name().to_owned(),
         approximations: sweep.scene.approximations().to_vec(),
@@ -77,25 +72,21 @@ pub(super) fn deliver(
         folder: folder.path().display().to_string(),
         run,
     };
-    if json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
-    } else {
-        let idle = sweep.own().next().is_none();
-        out.write_all(text(sweep, &report, idle.then(|| sweep.steps())).as_bytes())?;
-    }
-    Ok(())
+    let idle = sweep.own().next().is_none();
+    let text = text(sweep, &report, idle.then(|| sweep.steps()));
+    Ok(Swept { report, text })
 }
 
 /// For a person. `steps` is how many there are in all, where none of them is this shard's.
-fn text(sweep: &Sweep<'_>, report: &SweepReport, steps: Option<u64>) -> String {
+fn text(sweep: &Of<'_>, report: &SweepReport, steps: Option<u64>) -> String {
     let plate = part::obstacle(sweep.scene.feeder(), sweep.plate);
     let mut text = format!("{}: {} of {} designs are swept\n", report.scene, report.rows, report.designs);
     if let Some(steps) = steps {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "this shard has no step: {} designs make {steps} of {STEP} at most",
-            report.designs
+            "this shard has no step: {} designs make {steps} of {} at most",
+            report.designs, sweep.sizes.step
         );
     }
     text.push('\n');

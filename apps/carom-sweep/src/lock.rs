@@ -1,40 +1,40 @@
 //! Who may write to the folder of a sweep.
 
 use crate::disk;
-use crate::failure::Failure;
+use carom::tasks::StudyError;
 use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 
 /// Keeps other processes out, or only those that want the folder for themselves; the system lets go of it when this one ends, whichever way.
-pub(super) struct Lock {
+pub(crate) struct Lock {
     path: PathBuf,
     file: File,
 }
 
 impl Lock {
     /// Takes a lock, shared or alone.
-    pub(super) fn take(path: PathBuf, shared: bool) -> Result<Self, Failure> {
+    pub(crate) fn take(path: PathBuf, shared: bool) -> Result<Self, StudyError> {
         loop {
-            let file = disk::open_lock(&path).map_err(|error| Failure::file("open", &path, &error))?;
+            let file = disk::open_lock(&path).map_err(|error| disk::undone("open", &path, &error))?;
             let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
             match locked {
                 Ok(()) if is_at(&file, &path) => return Ok(Self { path, file }),
                 // Whoever held it removed it in between.
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
-                    return Err(Failure::Undone(format!(
+                    return Err(StudyError::Undone(format!(
                         "another process is sweeping into {}",
                         path.parent().unwrap_or(&path).display()
                     )));
                 }
-                Err(TryLockError::Error(error)) => return Err(Failure::file("lock", &path, &error)),
+                Err(TryLockError::Error(error)) => return Err(disk::undone("lock", &path, &error)),
             }
         }
     }
 
     /// Removes the file, unless others hold it as well.
     #[cfg(unix)]
-    pub(super) fn release(self) {
+    pub(crate) fn release(self) {
         if self.file.try_lock().is_ok() {
             // A lock file that stays is in nobody's way.
             let _ = disk::remove(&self.path);
@@ -43,7 +43,7 @@ impl Lock {
 
     /// Lets go of it; a file that is open stays.
     #[cfg(not(unix))]
-    pub(super) fn release(self) {
+    pub(crate) fn release(self) {
         drop((self.path, self.file));
     }
 }

@@ -1,10 +1,10 @@
 //! The folder of a sweep: part files that are whole or not there, and who may write to it.
 
-use super::list_file::fingerprint;
-use super::lock::Lock;
 use crate::disk;
-use crate::failure::Failure;
-use crate::printed::tell;
+use crate::list_file::fingerprint;
+use crate::lock::Lock;
+use carom::tasks::StudyError;
+use carom::tasks::axes::Asker;
 use carom_scene::columns::{Column, about, is_sealed, read};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -14,9 +14,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// How often each ending occurs.
-pub(super) type Counts = BTreeMap<String, u64>;
+pub(crate) type Counts = BTreeMap<String, u64>;
 /// Columns by name.
-pub(super) type Rows = Vec<(String, Column)>;
+pub(crate) type Rows = Vec<(String, Column)>;
 
 /// The file that says what is swept.
 const MANIFEST: &str = "_sweep.json";
@@ -25,12 +25,12 @@ const SHARD: &str = ".shard-";
 /// The folder of finished steps whose part is not finished.
 const UNFINISHED: &str = "unfinished";
 /// Where a file's metadata says of which sweep it is, which rows it holds, and how they end.
-pub(super) const FINGERPRINT: &str = "sweep";
-pub(super) const ROWS: &str = "rows";
-pub(super) const ENDINGS: &str = "endings";
+pub(crate) const FINGERPRINT: &str = "sweep";
+pub(crate) const ROWS: &str = "rows";
+pub(crate) const ENDINGS: &str = "endings";
 
 /// What a file's metadata say of its rows: `0..1000000`.
-pub(super) fn rows(rows: &Range<u64>) -> String {
+pub(crate) fn rows(rows: &Range<u64>) -> String {
     format!("{}..{}", rows.start, rows.end)
 }
 
@@ -44,9 +44,15 @@ enum Held {
     Foreign,
 }
 
+/// Hears what is found on the way.
+pub(crate) type Tell<'s> = Box<dyn Fn(&str) + Send + 's>;
+
 /// A folder that is open for one shard.
-pub(super) struct Folder {
+pub(crate) struct Folder<'s> {
     path: PathBuf,
+    /// Is told what is found damaged.
+    tell: Tell<'s>,
+    asker: Asker,
     fingerprint: String,
     /// The parts that were looked at.
     parts: RefCell<BTreeMap<u64, Option<Counts>>>,
@@ -54,20 +60,23 @@ pub(super) struct Folder {
     locks: [Lock; 2],
 }
 
-impl Folder {
+impl<'s> Folder<'s> {
     /// Opens a folder for a sweep, anew or to go on with it.
-    pub(super) fn open(
+    pub(crate) fn open(
         path: PathBuf,
         manifest: &str,
         (shard, of): (u64, u64),
-        force: bool,
-    ) -> Result<Self, Failure> {
-        disk::make_folder(&path).map_err(|error| Failure::file("make the folder", &path, &error))?;
+        (force, asker): (bool, Asker),
+        tell: Tell<'s>,
+    ) -> Result<Self, StudyError> {
+        disk::make_folder(&path).map_err(|error| disk::undone("make the folder", &path, &error))?;
         let whole = Lock::take(path.join(".sweep.lock"), of > 1)?;
         // Every process takes its own lock before it looks at others': of two that begin together one at least sees the other.
         let own = Lock::take(path.join(format!("{SHARD}{}-of-{of}.lock", shard + 1)), false)?;
         let folder = Self {
             path,
+            tell,
+            asker,
             fingerprint: fingerprint(manifest.as_bytes()),
             parts: RefCell::default(),
             locks: [own, whole],
@@ -79,25 +88,25 @@ impl Folder {
     }
 
     /// Lets others in; where nobody else is at work no lock file is left.
-    pub(super) fn close(self) {
+    pub(crate) fn close(self) {
         // It stays where steps are left in it.
         let _ = std::fs::remove_dir(self.path.join(UNFINISHED));
         self.locks.into_iter().for_each(Lock::release);
     }
 
     /// The files of the folder, by name.
-    fn files(&self) -> Result<Vec<(String, PathBuf)>, Failure> {
-        disk::list(&self.path).map_err(|error| Failure::file("read", &self.path, &error))
+    fn files(&self) -> Result<Vec<(String, PathBuf)>, StudyError> {
+        disk::list(&self.path).map_err(|error| disk::undone("read", &self.path, &error))
     }
 
     /// Shards of two counts would do the same parts twice.
-    fn refuse_other_shards(&self, of: u64) -> Result<(), Failure> {
+    fn refuse_other_shards(&self, of: u64) -> Result<(), StudyError> {
         for (name, path) in self.files()? {
             let count = name.strip_prefix(SHARD).and_then(|name| name.strip_suffix(".lock"));
             let Some((_, count)) = count.and_then(|count| count.split_once("-of-")) else { continue };
             let Ok(file) = File::open(&path) else { continue };
             if count != of.to_string() && matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)) {
-                return Err(Failure::Undone(format!(
+                return Err(StudyError::Undone(format!(
                     "another process is sweeping into {} as one of {count} shards: all of them must have one count",
                     self.path.display()
                 )));
@@ -107,7 +116,7 @@ impl Folder {
     }
 
     /// Removes what writes left that were killed. Other shards may be at work: then only those of this shard's steps.
-    fn remove_rests(&self, (shard, of): (u64, u64)) -> Result<(), Failure> {
+    fn remove_rests(&self, (shard, of): (u64, u64)) -> Result<(), StudyError> {
         for (name, path) in self.all_files()? {
             let Some(name) = name.strip_suffix(".part") else { continue };
             let step =
@@ -124,24 +133,26 @@ impl Folder {
     }
 
     /// Sees to it that the folder is of this sweep.
-    fn claim(&self, manifest: &str, shared: bool, force: bool) -> Result<(), Failure> {
+    fn claim(&self, manifest: &str, shared: bool, force: bool) -> Result<(), StudyError> {
         let file = self.path.join(MANIFEST);
         let known = match disk::read(&file) {
             Ok(known) => Some(known),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
-            Err(error) => return Err(Failure::file("read", &file, &error)),
+            Err(error) => return Err(disk::undone("read", &file, &error)),
         };
         let folder = self.path.display();
         let refused = |why: &str| {
-            let what = format!("{folder} {why}: name another folder with --out, or replace it with --force");
-            Err(Failure::Usage(what))
+            let [out, force] = ["out", "force"].map(|option| self.asker.option(option));
+            let what = format!("{folder} {why}: name another folder with {out}, or replace it with {force}");
+            Err(StudyError::Asked(what))
         };
         match known {
             Some(known) if known == manifest.as_bytes() && !force => return Ok(()),
             Some(_) if force && shared => {
-                return Err(Failure::Usage(
-                    "--force and --shard exclude each other: other shards may be at work".into(),
-                ));
+                let [force, shard] = ["force", "shard"].map(|option| self.asker.option(option));
+                return Err(StudyError::Asked(format!(
+                    "{force} and {shard} exclude each other: other shards may be at work"
+                )));
             }
             _ if force => self.clear()?,
             Some(known) if serde_json::from_slice::<serde_json::Value>(&known).is_ok() => {
@@ -149,7 +160,7 @@ impl Folder {
             }
             // It was not written to its end, or damaged: what it is of, the files beside it say.
             Some(_) if self.is_of_this_sweep()? => {
-                tell(&format!(
+                (self.tell)(&format!(
                     "{} is damaged, the files beside it are of this sweep: it is written anew",
                     file.display()
                 ));
@@ -164,26 +175,26 @@ impl Folder {
     }
 
     /// The files of the folder and of that of finished steps, by name.
-    fn all_files(&self) -> Result<Vec<(String, PathBuf)>, Failure> {
+    fn all_files(&self) -> Result<Vec<(String, PathBuf)>, StudyError> {
         let steps = self.path.join(UNFINISHED);
         let mut found = self.files()?;
         match disk::list(&steps) {
             Ok(more) => found.extend(more),
             Err(error) if error.kind() == ErrorKind::NotFound => {}
-            Err(error) => return Err(Failure::file("read", &steps, &error)),
+            Err(error) => return Err(disk::undone("read", &steps, &error)),
         }
         Ok(found)
     }
 
     /// The part files, and the finished steps of those that are not finished.
-    fn tables(&self) -> Result<Vec<PathBuf>, Failure> {
+    fn tables(&self) -> Result<Vec<PathBuf>, StudyError> {
         let table =
             |(name, path): (String, PathBuf)| (name.ends_with(".parquet") && path.is_file()).then_some(path);
         Ok(self.all_files()?.into_iter().filter_map(table).collect())
     }
 
     /// True where files that are whole are of this sweep, and of no other; and where there is none.
-    fn is_of_this_sweep(&self) -> Result<bool, Failure> {
+    fn is_of_this_sweep(&self) -> Result<bool, StudyError> {
         let tables = self.tables()?;
         let mut own = tables.is_empty();
         for path in tables {
@@ -197,12 +208,12 @@ impl Folder {
     }
 
     /// Removes every part file and every step.
-    fn clear(&self) -> Result<(), Failure> {
+    fn clear(&self) -> Result<(), StudyError> {
         self.tables()?.iter().try_for_each(|path| remove(path))
     }
 
     /// The name of a part file.
-    pub(super) fn part(&self, part: u64) -> PathBuf {
+    pub(crate) fn part(&self, part: u64) -> PathBuf {
         self.path.join(format!("part-{part:08}.parquet"))
     }
 
@@ -212,12 +223,12 @@ impl Folder {
     }
 
     /// The fingerprint of what is swept.
-    pub(super) fn fingerprint(&self) -> &str {
+    pub(crate) fn fingerprint(&self) -> &str {
         &self.fingerprint
     }
 
     /// What a file holds, and its bytes where it is whole; `rows` are those that it should hold.
-    fn look(&self, path: &Path, rows: Option<&Range<u64>>) -> Result<(Held, Vec<u8>), Failure> {
+    fn look(&self, path: &Path, rows: Option<&Range<u64>>) -> Result<(Held, Vec<u8>), StudyError> {
         if !path.is_file() {
             return Ok((Held::Nothing, vec![]));
         }
@@ -225,14 +236,14 @@ impl Folder {
             Ok(bytes) => bytes,
             // Another shard has put it into a part meanwhile.
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok((Held::Nothing, vec![])),
-            Err(error) => return Err(Failure::file("read", path, &error)),
+            Err(error) => return Err(disk::undone("read", path, &error)),
         };
         let told = if is_sealed(&bytes) { about(bytes.clone()).unwrap_or_default() } else { vec![] };
         let of = |wanted: &str| told.iter().find(|(key, _)| key == wanted).map(|(_, value)| value.as_str());
         let held = match (of(FINGERPRINT), of(ROWS)) {
             (Some(sweep), _) if sweep != self.fingerprint => Held::Foreign,
             (Some(_), Some(found)) if rows.is_none_or(|rows| found == self::rows(rows)) => {
-                Held::Rows(serde_json::from_str(of(ENDINGS).unwrap_or("{}"))?)
+                Held::Rows(serde_json::from_str(of(ENDINGS).unwrap_or("{}")).map_err(crate::no_json)?)
             }
             (Some(_), Some(found)) => {
                 Held::Damaged(format!("holds the designs {found}, which belong elsewhere"))
@@ -246,23 +257,25 @@ impl Folder {
     ///
     /// # Errors
     /// The file is of another sweep, or cannot be read.
-    fn counts(&self, path: &Path, rows: &Range<u64>) -> Result<Option<Counts>, Failure> {
+    fn counts(&self, path: &Path, rows: &Range<u64>) -> Result<Option<Counts>, StudyError> {
         match self.look(path, Some(rows))?.0 {
             Held::Nothing => Ok(None),
             Held::Rows(counts) => Ok(Some(counts)),
             Held::Damaged(why) => {
-                tell(&format!("{} {why}: they are swept again", path.display()));
+                (self.tell)(&format!("{} {why}: they are swept again", path.display()));
                 Ok(None)
             }
-            Held::Foreign => Err(Failure::Usage(format!(
-                "{} is of another sweep: remove it, name another folder with --out, or replace all with --force",
-                path.display()
+            Held::Foreign => Err(StudyError::Asked(format!(
+                "{} is of another sweep: remove it, name another folder with {}, or replace all with {}",
+                path.display(),
+                self.asker.option("out"),
+                self.asker.option("force")
             ))),
         }
     }
 
     /// The endings of a part, where it is there as a whole: each part is read once.
-    pub(super) fn of_part(&self, part: u64, rows: &Range<u64>) -> Result<Option<Counts>, Failure> {
+    pub(crate) fn of_part(&self, part: u64, rows: &Range<u64>) -> Result<Option<Counts>, StudyError> {
         if let Some(known) = self.parts.borrow().get(&part) {
             return Ok(known.clone());
         }
@@ -272,62 +285,62 @@ impl Folder {
     }
 
     /// The endings of a step, where it is there as a whole.
-    pub(super) fn of_step(&self, step: u64, rows: &Range<u64>) -> Result<Option<Counts>, Failure> {
+    pub(crate) fn of_step(&self, step: u64, rows: &Range<u64>) -> Result<Option<Counts>, StudyError> {
         self.counts(&self.step(step), rows)
     }
 
     /// True where there is a file of a step.
-    pub(super) fn has_step(&self, step: u64) -> bool {
+    pub(crate) fn has_step(&self, step: u64) -> bool {
         self.step(step).is_file()
     }
 
     /// The columns of a step; `None` where it is no longer there as a whole.
-    pub(super) fn columns(&self, step: u64, rows: &Range<u64>) -> Result<Option<Rows>, Failure> {
+    pub(crate) fn columns(&self, step: u64, rows: &Range<u64>) -> Result<Option<Rows>, StudyError> {
         match self.look(&self.step(step), Some(rows))? {
             (Held::Rows(_), bytes) => {
-                Ok(Some(read(bytes).map_err(|error| Failure::Undone(error.to_string()))?))
+                Ok(Some(read(bytes).map_err(|error| StudyError::Undone(error.to_string()))?))
             }
             _ => Ok(None),
         }
     }
 
     /// Writes a step: it is there as a whole afterwards, or not at all.
-    pub(super) fn write_step(&self, step: u64, bytes: &[u8]) -> Result<(), Failure> {
+    pub(crate) fn write_step(&self, step: u64, bytes: &[u8]) -> Result<(), StudyError> {
         let place = self.path.join(UNFINISHED);
-        disk::make_folder(&place).map_err(|error| Failure::file("make the folder", &place, &error))?;
+        disk::make_folder(&place).map_err(|error| disk::undone("make the folder", &place, &error))?;
         whole_write(&self.step(step), bytes)
     }
 
     /// Writes a part, as a step is written.
-    pub(super) fn write_part(&self, part: u64, bytes: &[u8], counts: Counts) -> Result<(), Failure> {
+    pub(crate) fn write_part(&self, part: u64, bytes: &[u8], counts: Counts) -> Result<(), StudyError> {
         whole_write(&self.part(part), bytes)?;
         self.parts.borrow_mut().insert(part, Some(counts));
         Ok(())
     }
 
     /// Removes a step whose part is finished.
-    pub(super) fn drop_step(&self, step: u64) -> Result<(), Failure> {
+    pub(crate) fn drop_step(&self, step: u64) -> Result<(), StudyError> {
         let path = self.step(step);
         if path.is_file() { remove(&path) } else { Ok(()) }
     }
 
     /// Forgets what is not known to be there: others may have finished parts since.
-    pub(super) fn look_again(&self) {
+    pub(crate) fn look_again(&self) {
         self.parts.borrow_mut().retain(|_, known| known.is_some());
     }
 
-    pub(super) fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 }
 
 /// Writes a file under another name, waits until it is on the disk, and renames it.
-fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
     // Shards that begin together write the same manifest: each to a file of its own first.
     let part = path.with_extension(format!("{}.part", std::process::id()));
     disk::replace(path, &part, bytes).and_then(|()| disk::sync_folder_of(path)).map_err(|error| {
-        match Failure::file("write", path, &error) {
-            Failure::Undone(text) => Failure::Undone(format!(
+        match disk::undone("write", path, &error) {
+            StudyError::Undone(text) => StudyError::Undone(format!(
                 "{text}\nwhat was written before is whole: the same command goes on where this one stopped"
             )),
             other => other,
@@ -336,9 +349,9 @@ fn whole_write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Removes a file, if another shard has not.
-fn remove(path: &Path) -> Result<(), Failure> {
+fn remove(path: &Path) -> Result<(), StudyError> {
     match disk::remove(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::file("remove", path, &error)),
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(disk::undone("remove", path, &error)),
         _ => Ok(()),
     }
 }

@@ -1,41 +1,62 @@
-//! The calls that read and change files, in one place: in tests each of them can be made to fail.
+//! The calls that read and change files, in one place: tests can make each of them fail.
 
-use carom_scene::input;
+use carom::tasks::StudyError;
+use carom_scene::{Problem, ProblemKind, Problems, input};
+use std::cell::RefCell;
 use std::fs::{File, OpenOptions};
 use std::io::{Error, ErrorKind, Read, Result, Write};
 use std::path::{Path, PathBuf};
-
-#[cfg(test)]
-pub(crate) mod faults;
-#[cfg(test)]
-use faults::meet;
 
 /// Bytes that are handed to the system at once: between two pieces a disk may be found full.
 const PIECE: usize = 1 << 14;
 
 /// What is asked of the system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Call {
+pub enum Call {
+    /// A folder is made.
     MakeFolder,
+    /// A file is begun.
     Create,
+    /// A piece of it is written.
     Write,
+    /// It is waited for until the file is on the disk.
     Sync,
+    /// The file gets its name.
     Rename,
+    /// A file is removed.
     Remove,
+    /// It is waited for until the folder knows the name.
     SyncFolder,
+    /// The entries of a folder are read.
     List,
+    /// A file is opened.
     Open,
+    /// A piece of it is read.
     Read,
 }
 
-/// Nothing but the system itself makes a call fail.
-#[cfg(not(test))]
-fn meet(_: Call, _: &Path) -> Result<()> {
-    Ok(())
+/// Hears of each call before the system does, and may make it fail.
+pub type Hear = Box<dyn FnMut(Call, &Path) -> Result<()>>;
+
+thread_local! {
+    /// Files are read and written on the thread that the work was begun on: every test has its own.
+    static HEARS: RefCell<Option<Hear>> = const { RefCell::new(None) };
+}
+
+/// Lets somebody hear of the calls of this thread, or nobody any more; returns who did until now.
+pub fn heard_by(hear: Option<Hear>) -> Option<Hear> {
+    HEARS.replace(hear)
+}
+
+fn meet(call: Call, path: &Path) -> Result<()> {
+    HEARS.with_borrow_mut(|hears| hears.as_mut().map_or(Ok(()), |hear| hear(call, path)))
 }
 
 /// Makes a folder and those it is in, where they are missing.
-pub(crate) fn make_folder(folder: &Path) -> Result<()> {
+///
+/// # Errors
+/// The system's.
+pub fn make_folder(folder: &Path) -> Result<()> {
     meet(Call::MakeFolder, folder)?;
     std::fs::create_dir_all(folder)
 }
@@ -44,7 +65,7 @@ pub(crate) fn make_folder(folder: &Path) -> Result<()> {
 ///
 /// # Errors
 /// The system's. What was at `path` before is there still, and `part` is removed where that can be done.
-pub(crate) fn replace(path: &Path, part: &Path, bytes: &[u8]) -> Result<()> {
+pub fn replace(path: &Path, part: &Path, bytes: &[u8]) -> Result<()> {
     let written = fill(path, part, bytes).and_then(|()| {
         meet(Call::Rename, path)?;
         std::fs::rename(part, path)
@@ -56,7 +77,7 @@ pub(crate) fn replace(path: &Path, part: &Path, bytes: &[u8]) -> Result<()> {
 ///
 /// # Errors
 /// [`ErrorKind::AlreadyExists`] where there is one, which is left as it is; otherwise as [`replace`].
-pub(crate) fn add(path: &Path, part: &Path, bytes: &[u8]) -> Result<()> {
+pub fn add(path: &Path, part: &Path, bytes: &[u8]) -> Result<()> {
     if path.symlink_metadata().is_ok() {
         return Err(ErrorKind::AlreadyExists.into());
     }
@@ -95,14 +116,20 @@ fn discard(part: &Path) {
 }
 
 /// Removes a file.
-pub(crate) fn remove(path: &Path) -> Result<()> {
+///
+/// # Errors
+/// The system's.
+pub fn remove(path: &Path) -> Result<()> {
     meet(Call::Remove, path)?;
     std::fs::remove_file(path)
 }
 
 /// Waits until the folder of a file knows it by its name, where the system can.
+///
+/// # Errors
+/// The system's.
 #[cfg(unix)]
-pub(crate) fn sync_folder_of(path: &Path) -> Result<()> {
+pub fn sync_folder_of(path: &Path) -> Result<()> {
     let Some(folder) = path.parent() else { return Ok(()) };
     meet(Call::SyncFolder, path)?;
     match File::open(folder)?.sync_all() {
@@ -113,19 +140,28 @@ pub(crate) fn sync_folder_of(path: &Path) -> Result<()> {
 }
 
 /// Nothing that could be done.
+///
+/// # Errors
+/// The system's.
 #[cfg(not(unix))]
-pub(crate) fn sync_folder_of(_: &Path) -> Result<()> {
+pub fn sync_folder_of(_: &Path) -> Result<()> {
     Ok(())
 }
 
 /// Opens a file for a lock on it, new where it is missing.
-pub(crate) fn open_lock(path: &Path) -> Result<File> {
+///
+/// # Errors
+/// The system's.
+pub fn open_lock(path: &Path) -> Result<File> {
     meet(Call::Create, path)?;
     OpenOptions::new().create(true).truncate(false).write(true).read(true).open(path)
 }
 
 /// The entries of a folder, by name.
-pub(crate) fn list(folder: &Path) -> Result<Vec<(String, PathBuf)>> {
+///
+/// # Errors
+/// The system's.
+pub fn list(folder: &Path) -> Result<Vec<(String, PathBuf)>> {
     meet(Call::List, folder)?;
     let entry = |entry: Result<std::fs::DirEntry>| {
         let entry = entry?;
@@ -135,13 +171,17 @@ pub(crate) fn list(folder: &Path) -> Result<Vec<(String, PathBuf)>> {
 }
 
 /// A file that is read from its beginning to its end.
-pub(crate) struct Reading {
+#[derive(Debug)]
+pub struct Reading {
     file: File,
     path: PathBuf,
 }
 
 /// Opens a file for reading.
-pub(crate) fn open(path: &Path) -> Result<Reading> {
+///
+/// # Errors
+/// The system's.
+pub fn open(path: &Path) -> Result<Reading> {
     meet(Call::Open, path)?;
     Ok(Reading { file: input::open(path)?, path: path.to_owned() })
 }
@@ -154,18 +194,42 @@ impl Read for Reading {
 }
 
 /// The bytes of a file that a command wrote.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
+///
+/// # Errors
+/// The system's.
+pub fn read(path: &Path) -> Result<Vec<u8>> {
     let mut bytes = vec![];
     open(path)?.read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
 /// The bytes of an input, which may be anything and anyhow long.
-pub(crate) fn read_input(path: &Path) -> Result<Vec<u8>> {
+///
+/// # Errors
+/// The system's.
+pub fn read_input(path: &Path) -> Result<Vec<u8>> {
     input::whole(open(path)?)
 }
 
 /// The text of an input.
-pub(crate) fn read_text(path: &Path) -> Result<String> {
+///
+/// # Errors
+/// The system's.
+pub fn read_text(path: &Path) -> Result<String> {
     String::from_utf8(read_input(path)?).map_err(|_| Error::new(ErrorKind::InvalidData, "is not UTF-8 text"))
+}
+
+/// A file or folder with which something could not be done.
+pub fn undone(doing: &str, path: &Path, error: &Error) -> StudyError {
+    StudyError::Undone(format!("cannot {doing} {}: {error}", path.display()))
+}
+
+/// An input file that cannot be read.
+pub fn unread(path: &Path, error: &Error) -> StudyError {
+    let message = match error.kind() {
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        _ => error.to_string(),
+    };
+    let problem = Problem::new(ProblemKind::File, "", message, None);
+    StudyError::from(Problems::new(&path.display().to_string(), "", vec![problem]))
 }

@@ -1,6 +1,6 @@
 //! Calls that fail because a test says so.
 
-use super::Call;
+use carom_sweep::disk::{Call, heard_by};
 use std::cell::RefCell;
 use std::io::{Error, ErrorKind, Result, Write};
 use std::path::{Path, PathBuf};
@@ -26,12 +26,12 @@ struct Book {
 }
 
 thread_local! {
-    /// Files are read and written on the thread that the command runs on: every test has its own.
+    /// The command runs on the thread of its test: every test has a book of its own.
     static BOOK: RefCell<Book> = const { RefCell::new(Book { fault: Fault::Never, calls: vec![] }) };
 }
 
 /// Notes a call, which fails where it is its turn.
-pub(super) fn meet(call: Call, path: &Path) -> Result<()> {
+fn meet(call: Call, path: &Path) -> Result<()> {
     BOOK.with_borrow_mut(|book| {
         let k = book.calls.len();
         book.calls.push((call, path.to_owned()));
@@ -47,7 +47,9 @@ pub(super) fn meet(call: Call, path: &Path) -> Result<()> {
 /// Does something with this fault; returns what came of it, and the calls.
 pub(crate) fn during<R>(fault: Fault, work: impl FnOnce() -> R) -> (R, Vec<(Call, PathBuf)>) {
     BOOK.set(Book { fault, calls: vec![] });
+    heard_by(Some(Box::new(meet)));
     let done = work();
+    heard_by(None);
     (done, BOOK.replace(Book { fault: Fault::Never, calls: vec![] }).calls)
 }
 

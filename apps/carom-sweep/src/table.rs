@@ -1,8 +1,8 @@
 //! The files of a sweep: steps, and the parts that they are put into.
 
-use super::folder::{Counts, ENDINGS, FINGERPRINT, Folder, ROWS, Rows, rows};
-use super::{GROUP, STEP, Sweep};
-use crate::failure::Failure;
+use crate::folder::{Counts, ENDINGS, FINGERPRINT, Folder, ROWS, Rows, rows};
+use crate::{Of, no_json};
+use carom::tasks::StudyError;
 use carom::tasks::axes::{Asker, keys};
 use carom::tasks::sweep::{FOUND, found};
 use carom_scene::ColumnReport;
@@ -13,8 +13,8 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The columns of a sweep and their units, in their order.
-pub(super) fn described(sweep: &Sweep<'_>) -> Vec<ColumnReport> {
-    let keys = keys(sweep.scene, Asker::Command);
+pub(crate) fn described(sweep: &Of<'_>) -> Vec<ColumnReport> {
+    let keys = keys(sweep.scene, Asker::Call);
     let unit = |path: &String| {
         let key = keys.iter().find(|key| key.name == *path);
         (path.clone(), key.map_or("", |key| key.dimension.si()))
@@ -29,12 +29,12 @@ pub(super) fn described(sweep: &Sweep<'_>) -> Vec<ColumnReport> {
 }
 
 /// One step as a file.
-pub(super) fn step(
-    sweep: &Sweep<'_>,
-    folder: &Folder,
+pub(crate) fn step(
+    sweep: &Of<'_>,
+    folder: &Folder<'_>,
     step: u64,
     (designs, drops): (&[Vec<f64>], &[Dropped]),
-) -> Result<Vec<u8>, Failure> {
+) -> Result<Vec<u8>, StudyError> {
     let range = sweep.of_step(step);
     let quantity = |i: usize| Column::Number(designs.iter().map(|design| design.get(i).copied()).collect());
     let mut columns = vec![Column::Whole(range.clone().map(|row| i64::try_from(row).ok()).collect())];
@@ -56,11 +56,11 @@ fn counts(drops: &[Dropped]) -> Counts {
 }
 
 /// A part file from its steps, and its endings; `None` where a step is no longer there as a whole.
-pub(super) fn part(
-    sweep: &Sweep<'_>,
-    folder: &Folder,
+pub(crate) fn part(
+    sweep: &Of<'_>,
+    folder: &Folder<'_>,
     part: u64,
-) -> Result<Option<(Vec<u8>, Counts)>, Failure> {
+) -> Result<Option<(Vec<u8>, Counts)>, StudyError> {
     let steps = sweep.steps_of(part);
     let mut counts = Counts::new();
     for step in steps.clone() {
@@ -70,7 +70,7 @@ pub(super) fn part(
         }
     }
     let mut file = File::new(sweep, folder, sweep.of_part(part), &counts)?;
-    let each = GROUP / STEP;
+    let each = sweep.sizes.group / sweep.sizes.step;
     for first in steps.clone().step_by(usize::try_from(each).unwrap_or(1)) {
         let mut group: Rows = vec![];
         for step in first..(first + each).min(steps.end) {
@@ -93,8 +93,8 @@ struct File {
     table: Table,
 }
 
-fn undone(error: ColumnsError) -> Failure {
-    Failure::Undone(error.to_string())
+fn undone(error: ColumnsError) -> StudyError {
+    StudyError::Undone(error.to_string())
 }
 
 fn named(rows: &Rows) -> Vec<(&str, Column)> {
@@ -103,10 +103,15 @@ fn named(rows: &Rows) -> Vec<(&str, Column)> {
 
 impl File {
     /// A file of these designs, without rows as yet.
-    fn new(sweep: &Sweep<'_>, folder: &Folder, range: Range<u64>, counts: &Counts) -> Result<Self, Failure> {
+    fn new(
+        sweep: &Of<'_>,
+        folder: &Folder<'_>,
+        range: Range<u64>,
+        counts: &Counts,
+    ) -> Result<Self, StudyError> {
         let described = described(sweep);
         let units: Vec<&str> = described.iter().map(|column| column.unit.as_str()).collect();
-        let counts = serde_json::to_string(counts)?;
+        let counts = serde_json::to_string(counts).map_err(no_json)?;
         let about = [
             ("scene", sweep.scene.source()),
             ("plate", &sweep.scene.feeder().plates[sweep.plate].name),
@@ -121,13 +126,13 @@ impl File {
         Ok(Self { table: Table::new(&named(&columns), &units, &about).map_err(undone)? })
     }
 
-    fn push(&mut self, rows: &Rows) -> Result<(), Failure> {
+    fn push(&mut self, rows: &Rows) -> Result<(), StudyError> {
         self.table.push(&named(rows)).map_err(undone)
     }
 
-    fn finish(self) -> Result<Vec<u8>, Failure> {
+    fn finish(self) -> Result<Vec<u8>, StudyError> {
         let bytes = self.table.finish().map_err(undone)?;
-        sealed(bytes).ok_or_else(|| Failure::Undone("the table has no place for its seal".to_owned()))
+        sealed(bytes).ok_or_else(|| StudyError::Undone("the table has no place for its seal".to_owned()))
     }
 }
 

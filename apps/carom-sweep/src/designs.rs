@@ -1,10 +1,9 @@
 //! The designs of a sweep: a grid, or a list in a file.
 
-use super::list_file::{Lines, ListFile};
-use super::list_problems;
-use crate::args::SweepOptions;
-use crate::failure::Failure;
-use carom::tasks::axes::{Asker, Axis, Complaints, Key, quantity, read_axis, unknown};
+use crate::DesignsAsked;
+use crate::list_file::{Lines, ListFile};
+use carom::tasks::StudyError;
+use carom::tasks::axes::{Axis, Complaints, Key, quantity, read_axis, unknown};
 use carom::tasks::axes::{keys, named};
 use carom::tasks::records;
 use carom_scene::{Problem, ProblemKind, Problems, Scene};
@@ -19,31 +18,31 @@ const MOST_DESIGNS: u64 = 1 << 40;
 const MOST_TOLD: usize = 50;
 
 /// The designs, by number.
-pub(super) enum Designs {
+pub(crate) enum Designs {
     /// Every combination, the last quantity running fastest.
     Grid { paths: Vec<String>, axes: Vec<Axis>, len: u64 },
     /// The rows of a file.
     List { paths: Vec<String>, keys: Vec<Key>, file: ListFile, len: u64 },
 }
 
-/// Reads `--grid` or `--list`.
-pub(super) fn read(
+/// Reads a grid or a list.
+pub(crate) fn read(
     scene: &Scene,
-    options: &SweepOptions,
+    asked: DesignsAsked<'_>,
     complaints: &mut Complaints,
-) -> Result<Designs, Failure> {
-    let keys = keys(scene, Asker::Command);
-    match &options.list {
-        Some(file) => list(scene, keys, file),
-        None => Ok(grid(scene, &keys, &options.grid, complaints)),
+) -> Result<Designs, StudyError> {
+    let keys = keys(scene, complaints.asker());
+    match asked {
+        DesignsAsked::List(file) => list(scene, keys, file),
+        DesignsAsked::Grid(ranges) => Ok(grid(scene, &keys, ranges, complaints)),
     }
 }
 
 fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complaints) -> Designs {
     let (mut paths, mut axes, mut len): (Vec<String>, Vec<Axis>, u64) = (vec![], vec![], 1);
     if texts.is_empty() {
-        complaints
-            .push("grid", "missing: PATH=A..B:POINTS, once for each quantity, or --list FILE".to_owned());
+        let list = complaints.asker().option("list");
+        complaints.push("grid", format!("missing: PATH=A..B:POINTS, once for each quantity, or {list} FILE"));
     }
     for text in texts {
         let text = named(scene, text);
@@ -67,13 +66,13 @@ fn problem(kind: ProblemKind, line: u64, message: String) -> Problem {
 }
 
 /// Reads the whole list once: how many designs there are, and what is wrong with any of them.
-fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> {
+fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, StudyError> {
     let name = file.display().to_string();
     let file = ListFile::new(file)?;
     let mut lines = file.lines()?;
     let Some(head) = lines.next().transpose()? else {
         let message = "the file is empty: its first line names the quantities".to_owned();
-        return Err(list_problems(&name, vec![problem(ProblemKind::File, 1, message)]));
+        return Err(Problems::new(&name, "", vec![problem(ProblemKind::File, 1, message)]).into());
     };
     let mut problems = vec![];
     let (mut paths, mut columns): (Vec<String>, Vec<Key>) = (vec![], vec![]);
@@ -118,7 +117,7 @@ fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, Failure> 
     if problems.is_empty() {
         Ok(Designs::List { paths, keys: columns, file, len })
     } else {
-        Err(Failure::from(Problems::new(&name, "", problems).and_more(more)))
+        Err(StudyError::from(Problems::new(&name, "", problems).and_more(more)))
     }
 }
 
@@ -141,21 +140,21 @@ fn row(keys: &[Key], line: &str) -> Result<Vec<f64>, Vec<String>> {
 
 impl Designs {
     /// The quantities that differ from design to design.
-    pub(super) fn paths(&self) -> &[String] {
+    pub(crate) fn paths(&self) -> &[String] {
         match self {
             Self::Grid { paths, .. } | Self::List { paths, .. } => paths,
         }
     }
 
     /// How many designs there are.
-    pub(super) fn len(&self) -> u64 {
+    pub(crate) fn len(&self) -> u64 {
         match self {
             Self::Grid { len, .. } | Self::List { len, .. } => *len,
         }
     }
 
     /// What is swept, in words that tell one sweep from another.
-    pub(super) fn described(&self) -> Result<Vec<String>, Failure> {
+    pub(crate) fn described(&self) -> Result<Vec<String>, StudyError> {
         match self {
             Self::Grid { paths, axes, .. } => Ok(paths
                 .iter()
@@ -170,7 +169,7 @@ impl Designs {
     }
 
     /// Reads designs from the first to the last.
-    pub(super) fn reader(&self) -> Result<Reader<'_>, Failure> {
+    pub(crate) fn reader(&self) -> Result<Reader<'_>, StudyError> {
         let lines = match self {
             Self::Grid { .. } => None,
             Self::List { file, .. } => {
@@ -184,7 +183,7 @@ impl Designs {
 }
 
 /// Designs in order.
-pub(super) struct Reader<'d> {
+pub(crate) struct Reader<'d> {
     designs: &'d Designs,
     lines: Option<Lines>,
     next: u64,
@@ -192,7 +191,7 @@ pub(super) struct Reader<'d> {
 
 impl Reader<'_> {
     /// The values of these designs, SI; later ones than those taken before.
-    pub(super) fn take(&mut self, numbers: Range<u64>) -> Result<Vec<Vec<f64>>, Failure> {
+    pub(crate) fn take(&mut self, numbers: Range<u64>) -> Result<Vec<Vec<f64>>, StudyError> {
         match self.designs {
             Designs::Grid { axes, .. } => Ok(numbers.map(|number| on_grid(axes, number)).collect()),
             Designs::List { keys, file, .. } => self.listed(keys, file, numbers),
@@ -204,11 +203,11 @@ impl Reader<'_> {
         keys: &[Key],
         file: &ListFile,
         numbers: Range<u64>,
-    ) -> Result<Vec<Vec<f64>>, Failure> {
+    ) -> Result<Vec<Vec<f64>>, StudyError> {
         let mut found = vec![];
         while self.next < numbers.end {
             let Some(line) = self.lines.as_mut().and_then(Iterator::next) else {
-                return Err(Failure::Undone(format!(
+                return Err(StudyError::Undone(format!(
                     "{} became shorter while it was read",
                     file.path().display()
                 )));
@@ -220,7 +219,7 @@ impl Reader<'_> {
             // The list was checked as a whole before: a row that is bad now has been written since.
             if numbers.contains(&self.next) {
                 let values = row(keys, &line).map_err(|wrong| {
-                    Failure::Undone(format!(
+                    StudyError::Undone(format!(
                         "{} changed while it was read: {}",
                         file.path().display(),
                         wrong.join("; ")

@@ -1,7 +1,7 @@
 //! The file of a list of designs: read several times, whatever it is.
 
 use crate::disk;
-use crate::failure::Failure;
+use carom::tasks::StudyError;
 use carom_scene::input;
 use std::io::{BufRead, BufReader, Cursor, Error, ErrorKind, Read, Result as Done};
 use std::path::{Path, PathBuf};
@@ -11,46 +11,46 @@ use std::sync::Arc;
 const LONGEST_LINE: u64 = 1 << 20;
 
 /// A list, which may be a pipe or a device: then it is read once, and kept.
-pub(super) struct ListFile {
+pub(crate) struct ListFile {
     path: PathBuf,
     kept: Option<Arc<[u8]>>,
 }
 
 impl ListFile {
-    pub(super) fn new(path: &Path) -> Result<Self, Failure> {
-        let unread = |error: Error| Failure::unread(path, &error);
+    pub(crate) fn new(path: &Path) -> Result<Self, StudyError> {
+        let unread = |error: Error| disk::unread(path, &error);
         let lasting = input::is_lasting(path);
         let kept = if lasting { None } else { Some(disk::read_input(path).map_err(unread)?.into()) };
         Ok(Self { path: path.to_owned(), kept })
     }
 
-    pub(super) fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
-    fn open(&self) -> Result<Box<dyn BufRead>, Failure> {
+    fn open(&self) -> Result<Box<dyn BufRead>, StudyError> {
         match &self.kept {
             Some(bytes) => Ok(Box::new(Cursor::new(Arc::clone(bytes)))),
             None => {
-                let opened = disk::open(&self.path).map_err(|error| Failure::unread(&self.path, &error))?;
+                let opened = disk::open(&self.path).map_err(|error| disk::unread(&self.path, &error))?;
                 Ok(Box::new(BufReader::new(opened)))
             }
         }
     }
 
     /// Its lines from the first on.
-    pub(super) fn lines(&self) -> Result<Lines, Failure> {
+    pub(crate) fn lines(&self) -> Result<Lines, StudyError> {
         Ok(Lines { from: self.open()?, path: self.path.clone(), over: false })
     }
 
     /// Its length and fingerprint.
-    pub(super) fn fingerprint(&self) -> Result<String, Failure> {
-        fingerprint_of(self.open()?).map_err(|error| Failure::unread(&self.path, &error))
+    pub(crate) fn fingerprint(&self) -> Result<String, StudyError> {
+        fingerprint_of(self.open()?).map_err(|error| disk::unread(&self.path, &error))
     }
 }
 
 /// Lines of a list; after one that cannot be read there are no more.
-pub(super) struct Lines {
+pub(crate) struct Lines {
     from: Box<dyn BufRead>,
     path: PathBuf,
     over: bool,
@@ -71,7 +71,7 @@ impl Lines {
 }
 
 impl Iterator for Lines {
-    type Item = Result<String, Failure>;
+    type Item = Result<String, StudyError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.over {
@@ -79,12 +79,12 @@ impl Iterator for Lines {
         }
         let found = self.read();
         self.over = !matches!(found, Ok(Some(_)));
-        found.map_err(|error| Failure::unread(&self.path, &error)).transpose()
+        found.map_err(|error| disk::unread(&self.path, &error)).transpose()
     }
 }
 
 /// Length and fingerprint of what can be read to its end.
-pub(super) fn fingerprint_of(mut from: impl BufRead) -> Done<String> {
+pub(crate) fn fingerprint_of(mut from: impl BufRead) -> Done<String> {
     let (mut hash, mut length) = (EMPTY, 0);
     loop {
         let bytes = from.fill_buf()?;
@@ -99,7 +99,7 @@ pub(super) fn fingerprint_of(mut from: impl BufRead) -> Done<String> {
 }
 
 /// The fingerprint of a text.
-pub(super) fn fingerprint(bytes: &[u8]) -> String {
+pub(crate) fn fingerprint(bytes: &[u8]) -> String {
     format!("{:016x}", hashed(EMPTY, bytes))
 }
 
