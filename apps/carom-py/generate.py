@@ -25,6 +25,7 @@ ANSWERS = {
     "regions": {"carom regions": "Regions"},
     "feed": {"carom feed": "Feed"},
     "fit": {"carom fit": "Fit"},
+    "sweep": {"carom sweep": "Sweep"},
 }
 #: The module of what several schemas define alike.
 SHARED = "shared"

@@ -3,7 +3,6 @@
 use crate::failure::{of_fault, of_input, of_inputs, of_words};
 use crate::scene::Scene;
 use crate::watch::long;
-use carom::study::yields::Points;
 use carom::tasks;
 use carom::tasks::StudyError;
 use carom::tasks::design::{DesignPlan, DesignStudy, design_space};
@@ -11,7 +10,6 @@ use carom::tasks::impact::ImpactStudy;
 use carom::tasks::impact::space::SpatialImpactStudy;
 use carom::tasks::roll::RollStudy;
 use carom::tasks::solid::SolidStudy;
-use carom::tasks::yields::YieldStudy;
 use carom_scene::{
     AnyImpact, ForceAnswerReport, ImpactProblem, RollKind, RollProblem, SpatialRollKind, SpatialRollProblem,
     StudyRunReport, toml_of_json,
@@ -29,7 +27,9 @@ pub(crate) fn pretty(value: &impl Serialize) -> PyResult<String> {
     serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(of_fault)
 }
 
-pub(crate) fn named<N: Into<String>>(files: impl IntoIterator<Item = (N, String)>) -> BTreeMap<String, String> {
+pub(crate) fn named<N: Into<String>>(
+    files: impl IntoIterator<Item = (N, String)>,
+) -> BTreeMap<String, String> {
     files.into_iter().map(|(name, text)| (name.into(), text)).collect()
 }
 
@@ -136,43 +136,6 @@ pub(crate) fn roll(
     let study = study.map_err(|error| of_words(py, &format!("{name}: {error}")))?;
     let page = study.page(name);
     Ok((pretty(&study.report)?, named([("report.html", page)])))
-}
-
-/// What `carom yield` says and writes.
-#[pyfunction]
-#[pyo3(signature = (scene, samples, seed, plain, plate=None, progress=None))]
-#[expect(
-    clippy::too_many_arguments,
-    reason = "a function of Python has keywords, and `py` is not one of its arguments"
-)]
-pub(crate) fn yields(
-    py: Python<'_>,
-    scene: &Scene,
-    samples: u64,
-    seed: u64,
-    plain: bool,
-    plate: Option<&str>,
-    progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Answer> {
-    let scene = &scene.inner;
-    let plate = crate::given::plate(py, scene, plate)?;
-    let varied = scene.varied().map_err(|problems| of_input(py, &problems))?;
-    let points = if plain { Points::Random } else { Points::Sobol };
-    let plan = YieldStudy::plan(&varied, samples, seed, points, plate);
-    let begun = Instant::now();
-    let drops = usize::try_from(plan.drops()).ok();
-    let (study, threads) = long(py, drops, progress, |watch| {
-        let study = YieldStudy::sampled(&varied, plan, || watch.step()).map(|mut study| {
-            study.decide(|| watch.step());
-            study
-        });
-        (study, carom_study::threads())
-    })?;
-    let study = study.map_err(|error| of_words(py, &format!("{}: {error}", scene.name())))?;
-    let spent = spent(study.drops, begun, threads);
-    let mut files = named(study.worst_scenes());
-    files.insert("yield.html".to_owned(), study.page(std::path::Path::new("")));
-    Ok((pretty(&study.summary(spent))?, files))
 }
 
 /// What `carom design` says and writes.

@@ -21,16 +21,20 @@ mod scene;
 #[cfg(feature = "python")]
 mod studies;
 #[cfg(feature = "python")]
+mod sweep;
+#[cfg(feature = "python")]
 mod table;
 #[cfg(feature = "python")]
 mod watch;
+#[cfg(feature = "python")]
+mod yields;
 
 /// The module that the package imports.
 #[cfg(feature = "python")]
 #[pyo3::pymodule]
 mod _carom {
     #[pymodule_export]
-    use crate::answers::{contact, design, impact, roll, run, yields};
+    use crate::answers::{contact, design, impact, roll, run};
     #[pymodule_export]
     use crate::drops::drops;
     #[pymodule_export]
@@ -40,7 +44,13 @@ mod _carom {
     #[pymodule_export]
     use crate::studies::{feed, fit, map, regions};
     #[pymodule_export]
+    use crate::sweep::sweep;
+    #[pymodule_export]
     use crate::table::Table;
+    #[pymodule_export]
+    use crate::watch::use_threads;
+    #[pymodule_export]
+    use crate::yields::{yield_joined, yield_portion, yields};
 
     /// The version of the engine.
     #[pymodule_export]

@@ -159,8 +159,7 @@ pub(crate) fn fit(
         asker: Asker::Call,
     };
     let rows = (runs.0.as_str(), runs.1.as_str());
-    let (study, threads, begun) =
-        asked(py, progress, |step| FitStudy::fitted(scene, rows, &given, step))?;
+    let (study, threads, begun) = asked(py, progress, |step| FitStudy::fitted(scene, rows, &given, step))?;
     let text = study.fitted_scene().map_err(|error| refused(py, &error))?;
     let json = pretty(&study.summary(spent(study.drops, begun, threads)))?;
     Ok((json, named([("fitted.toml", text)])))

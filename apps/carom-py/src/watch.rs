@@ -51,6 +51,15 @@ pub(crate) fn pool() -> PyResult<Arc<ThreadPool>> {
     Ok(pool)
 }
 
+/// Gives this process so many threads, in place of one for each core: where several processes share a machine.
+#[pyfunction]
+pub(crate) fn use_threads(threads: usize) -> PyResult<()> {
+    let pool = Arc::new(ThreadPoolBuilder::new().num_threads(threads).build().map_err(of_fault)?);
+    let mut known = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    std::mem::forget(known.replace((std::process::id(), pool)));
+    Ok(())
+}
+
 /// Does some work, of so many pieces, on all cores. `progress` is called with how many are done and how many there are.
 ///
 /// # Errors

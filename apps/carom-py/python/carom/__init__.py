@@ -18,6 +18,7 @@ from carom._carom import __version__
 from carom._many import drops, impacts
 from carom._one import contact, design, impact, roll, run, yield_
 from carom._studies import feed, fit, map, regions
+from carom._sweep import sweep
 from carom._answer import Answer
 from carom.answers.contact import Contact
 from carom.answers.design import Design
@@ -28,6 +29,7 @@ from carom.answers.map import Map
 from carom.answers.regions import Regions
 from carom.answers.roll import PlanarRoll, SpatialRoll
 from carom.answers.run import Run
+from carom.answers.sweep import Sweep
 from carom.answers.yield_ import Yield
 from carom.errors import CaromError, Problem
 from carom.scene import Quantity, Scene
@@ -50,6 +52,7 @@ __all__ = [
     "Scene",
     "SpatialImpact",
     "SpatialRoll",
+    "Sweep",
     "Table",
     "Yield",
     "__version__",
@@ -64,5 +67,6 @@ __all__ = [
     "regions",
     "roll",
     "run",
+    "sweep",
     "yield_",
 ]

@@ -10,13 +10,17 @@ __all__ = [
     "impact",
     "roll",
     "run",
-    "yields",
     "drops",
     "impacts",
     "feed",
     "fit",
     "map",
     "regions",
+    "sweep",
+    "use_threads",
+    "yield_joined",
+    "yield_portion",
+    "yields",
     "Scene",
     "Table",
     "__version__",
@@ -64,9 +68,11 @@ def run(scene: Scene, limits: bool = False, progress: _Progress | None = None) -
 def impact(name: str, text: str, json: bool) -> _Answer: ...
 def contact(name: str, text: str, json: bool) -> _Answer: ...
 def roll(kind: str, name: str, text: str, json: bool, set: list[str]) -> _Answer: ...
-def yields(
-    scene: Scene, samples: int, seed: int, plain: bool, plate: str | None = None, progress: _Progress | None = None
-) -> _Answer: ...
+def yields(scene: Scene, asks: _Asks, progress: _Progress | None = None) -> _Answer: ...
+def yield_portion(scene: Scene, asks: _Asks, deciding: bool, portion: tuple[int, int]) -> bytes: ...
+def yield_joined(scene: Scene, counted: list[bytes], deciding: list[bytes] | None, took: tuple[float, int]) -> _Answer | None: ...
+def sweep(scene: Scene, folder: str, asks: _Asks, progress: _Progress | None = None) -> tuple[str, list[str]]: ...
+def use_threads(threads: int) -> None: ...
 def design(scene: Scene, scan: int, samples: int, seed: int, progress: _Progress | None = None) -> _Answer: ...
 def drops(
     scene: Scene, columns: list[tuple[str, NDArray[np.float64]]], plate: str | None = None, progress: _Progress | None = None

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
-from typing import Literal
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any, Literal
 
 import numpy as np
 
 from carom import _carom
+from carom._cluster import Cluster
 from carom._given import FileLike, Values, as_text, mapping, read, within
 from carom._progress import Progress, Told
 from carom.answers.contact import Contact
@@ -18,7 +20,7 @@ from carom.answers.roll import PlanarRoll, SpatialRoll
 from carom.answers.run import Run
 from carom.answers.yield_ import Yield
 from carom.errors import CaromError
-from carom.scene import SceneLike, scene_of
+from carom.scene import Scene, SceneLike, scene_of
 
 
 def run(scene: SceneLike, *, set: Values | None = None, limits: bool = False, progress: Progress = None) -> Run:
@@ -117,14 +119,16 @@ def yield_(
     plate: str | int | None = None,
     plain: bool = False,
     set: Values | None = None,
+    client: Any = None,
     progress: Progress = None,
 ) -> Yield:
     """With what probability drops end as wanted under the tolerances of the scene, as ``carom yield`` finds it.
 
     ``samples`` drops at least; ``plate`` is the one that is looked at, the last where none is given; ``plain`` draws independent random numbers
-    in place of Sobol's points. :attr:`Answer.files` holds the drops to look at as scenes.
+    in place of Sobol's points. :attr:`Answer.files` holds the drops to look at as scenes. ``client`` is a client of a Dask cluster whose workers
+    count portions of the drops: what comes out is to the last digit what one machine says.
 
-    Raises :class:`CaromError` with every problem of the scene; KeyboardInterrupt within a moment of ctrl-C.
+    Raises :class:`CaromError` with every problem of the scene, or where the cluster did not finish; KeyboardInterrupt within a moment of ctrl-C.
 
     >>> import carom
     >>> found = carom.yield_("examples/designer.toml", samples=1024)
@@ -133,9 +137,33 @@ def yield_(
     """
     samples = within("samples", samples, 16, 1 << 34)
     seed = within("seed", seed, 0, (1 << 64) - 1)
+    asks = {"samples": samples, "seed": seed, "plain": bool(plain), "plate": None if plate is None else str(plate)}
+    inner = scene_of(scene, set)
     with Told(progress) as hear:
-        plate = None if plate is None else str(plate)
-        return Yield._of(_carom.yields(scene_of(scene, set), samples, seed, plain, plate, hear), "yield.json")
+        answer = _carom.yields(inner, asks, hear) if client is None else _yield_of(inner, asks, client, hear)
+        return Yield._of(answer, "yield.json")
+
+
+def _yield_of(
+    scene: _carom.Scene, asks: dict[str, Any], client: Any, hear: Callable[[int, int | None], object] | None
+) -> tuple[str, dict[str, str]]:
+    """A yield that a cluster counts."""
+    cluster = Cluster(client)
+    work = partial(_yield_portion, Scene._of(scene), asks)
+    counted = cluster.each(partial(work, False), hear)
+    answer = _carom.yield_joined(scene, counted, None, (cluster.seconds, cluster.threads))
+    if answer is not None:
+        return answer
+    deciding = cluster.each(partial(work, True), hear)
+    answer = _carom.yield_joined(scene, counted, deciding, (cluster.seconds, cluster.threads))
+    if answer is None:
+        raise CaromError("the cluster's portions say nothing of what decides")
+    return answer
+
+
+def _yield_portion(scene: Scene, asks: dict[str, Any], deciding: bool, portion: int, of: int) -> bytes:
+    """One portion, on a worker."""
+    return _carom.yield_portion(scene._inner, asks, deciding, (portion, of))
 
 
 def design(

@@ -1,0 +1,120 @@
+//! How surely drops end as wanted: in one process, or in portions that other machines count.
+
+use crate::answers::{Answer, named, pretty, spent};
+use crate::failure::{of_fault, of_input, of_words};
+use crate::scene::Scene;
+use crate::watch::long;
+use carom::study::yields::{Contrasts, Plan, Points, Portion};
+use carom::tasks::yields::YieldStudy;
+use carom_scene::{StudyRunReport, Varied};
+use pyo3::prelude::*;
+use std::path::Path;
+use std::time::Instant;
+
+/// What is asked of a yield, as Python gives it.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Asks {
+    samples: u64,
+    seed: u64,
+    plain: bool,
+    plate: Option<String>,
+}
+
+/// What varies, and how it is sampled.
+fn planned<'s>(py: Python<'_>, scene: &'s Scene, asks: &Asks) -> PyResult<(Varied<'s>, Plan)> {
+    let plate = crate::given::plate(py, &scene.inner, asks.plate.as_deref())?;
+    let varied = scene.inner.varied().map_err(|problems| of_input(py, &problems))?;
+    let points = if asks.plain { Points::Random } else { Points::Sobol };
+    let plan = YieldStudy::plan(&varied, asks.samples, asks.seed, points, plate);
+    Ok((varied, plan))
+}
+
+/// A study that has no answer.
+fn refused<'a>(py: Python<'a>, scene: &'a Scene) -> impl Fn(&dyn std::fmt::Display) -> PyErr + use<'a> {
+    move |why| of_words(py, &format!("{}: {why}", scene.inner.name()))
+}
+
+fn told(study: &YieldStudy<'_>, spent: StudyRunReport) -> PyResult<Answer> {
+    let mut files = named(study.worst_scenes());
+    files.insert("yield.html".to_owned(), study.page(Path::new("")));
+    Ok((pretty(&study.summary(spent))?, files))
+}
+
+/// What `carom yield` says and writes.
+#[pyfunction]
+#[pyo3(signature = (scene, asks, progress=None))]
+pub(crate) fn yields(
+    py: Python<'_>,
+    scene: &Scene,
+    asks: Asks,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let (varied, plan) = planned(py, scene, &asks)?;
+    let begun = Instant::now();
+    let drops = usize::try_from(plan.drops()).ok();
+    let (study, threads) = long(py, drops, progress, |watch| {
+        let study = YieldStudy::sampled(&varied, plan, || watch.step()).map(|mut study| {
+            study.decide(|| watch.step());
+            study
+        });
+        (study, carom_study::threads())
+    })?;
+    let study = study.map_err(|error| refused(py, scene)(&error))?;
+    told(&study, spent(study.drops, begun, threads))
+}
+
+/// One portion of a yield, a number of how many, as bytes: its drops, or in the second round those that say what decides.
+#[pyfunction]
+pub(crate) fn yield_portion(
+    py: Python<'_>,
+    scene: &Scene,
+    asks: Asks,
+    deciding: bool,
+    portion: (u32, u32),
+) -> PyResult<Vec<u8>> {
+    let (varied, plan) = planned(py, scene, &asks)?;
+    let words = long(py, None, None, |watch| {
+        let step = || watch.step();
+        if deciding {
+            let portion = YieldStudy::contrasts(&varied, &plan, portion, step);
+            portion.map(|portion| portion.to_words()).map_err(|why| why.to_string())
+        } else {
+            let portion = YieldStudy::portion(&varied, &plan, portion, step);
+            portion.map(|portion| portion.to_words()).map_err(|why| why.to_string())
+        }
+    })?;
+    let words = words.map_err(|why| refused(py, scene)(&why))?;
+    Ok(words.into_iter().flat_map(u64::to_le_bytes).collect())
+}
+
+/// The numbers of a portion; bytes that are no whole number of them have none.
+fn words(bytes: &[u8]) -> Vec<u64> {
+    let (words, rest) = bytes.as_chunks::<8>();
+    if rest.is_empty() { words.iter().map(|word| u64::from_le_bytes(*word)).collect() } else { vec![] }
+}
+
+/// What all portions say together; `None` where it must be asked first what decides. `took` is for how long [s], on how many threads.
+#[pyfunction]
+pub(crate) fn yield_joined(
+    py: Python<'_>,
+    scene: &Scene,
+    counted: Vec<Vec<u8>>,
+    deciding: Option<Vec<Vec<u8>>>,
+    took: (f64, usize),
+) -> PyResult<Option<Answer>> {
+    let (seconds, threads) = took;
+    let varied = scene.inner.varied().map_err(|problems| of_input(py, &problems))?;
+    let portions = counted.iter().map(|bytes| Portion::of_words(&words(bytes)));
+    let portions = portions.collect::<Result<Vec<_>, _>>().map_err(of_fault)?;
+    let mut study = py.detach(|| YieldStudy::of(&varied, portions)).map_err(of_fault)?;
+    match deciding {
+        None if study.to_decide().is_some() => return Ok(None),
+        None => {}
+        Some(portions) => {
+            let portions = portions.iter().map(|bytes| Contrasts::of_words(&words(bytes)));
+            study.decided(Ok(portions.collect::<Result<Vec<_>, _>>().map_err(of_fault)?));
+        }
+    }
+    told(&study, StudyRunReport { drops: study.drops, seconds, threads }).map(Some)
+}
