@@ -25,6 +25,8 @@ mod sweep;
 #[cfg(feature = "python")]
 mod table;
 #[cfg(feature = "python")]
+mod tosses;
+#[cfg(feature = "python")]
 mod watch;
 #[cfg(feature = "python")]
 mod yields;
@@ -47,6 +49,8 @@ mod _carom {
     use crate::sweep::sweep;
     #[pymodule_export]
     use crate::table::Table;
+    #[pymodule_export]
+    use crate::tosses::tosses;
     #[pymodule_export]
     use crate::watch::use_threads;
     #[pymodule_export]

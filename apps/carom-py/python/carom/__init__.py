@@ -19,6 +19,7 @@ from carom._many import drops, impacts
 from carom._one import contact, design, impact, roll, run, yield_
 from carom._studies import feed, fit, map, regions
 from carom._sweep import sweep
+from carom._tosses import Tosses, tosses
 from carom._answer import Answer
 from carom.answers.contact import Contact
 from carom.answers.design import Design
@@ -54,6 +55,7 @@ __all__ = [
     "SpatialRoll",
     "Sweep",
     "Table",
+    "Tosses",
     "Yield",
     "__version__",
     "contact",
@@ -68,5 +70,6 @@ __all__ = [
     "roll",
     "run",
     "sweep",
+    "tosses",
     "yield_",
 ]

@@ -17,6 +17,7 @@ __all__ = [
     "map",
     "regions",
     "sweep",
+    "tosses",
     "use_threads",
     "yield_joined",
     "yield_portion",
@@ -82,3 +83,10 @@ def feed(scene: Scene, parts: int | None, intervals: int, accuracy: float, progr
 def fit(scene: Scene, runs: tuple[str, str], asks: _Asks, progress: _Progress | None = None) -> _Answer: ...
 def map(scene: Scene, asks: _Asks, progress: _Progress | None = None) -> _Tabled: ...
 def regions(asks: _Asks, progress: _Progress | None = None) -> _Tabled: ...
+def tosses(
+    start: NDArray[np.float64],
+    friction: NDArray[np.float64],
+    restitution: NDArray[np.float64],
+    asks: _Asks,
+    progress: _Progress | None = None,
+) -> NDArray[np.float64]: ...
