@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+import sys
 import threading
 import time
 import warnings
@@ -158,3 +159,9 @@ def test_a_cluster_that_is_closed_is_told(tmp_path: Path) -> None:
         with pytest.raises(carom.CaromError, match="cluster"):
             carom.sweep(CASE, designs, tmp_path, client=client)
         client.close()
+
+
+def test_the_example_runs(tmp_path: Path) -> None:
+    words = [sys.executable, "apps/carom-py/examples/cluster.py", "examples/designer.toml", str(tmp_path)]
+    said = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    assert "'turned'" in said and "shape:" in said, "endings, and a frame of polars"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import runpy
 import subprocess
 import tarfile
 from pathlib import Path
@@ -13,6 +14,7 @@ import carom
 import carom.data
 import numpy as np
 import pytest
+import scipy.io
 from carom.measured import MeasuredImpacts, MeasuredTosses, fit_impacts, fit_tosses
 
 EXCERPT = Path(__file__).parent / "data/cube-tosses"
@@ -147,6 +149,27 @@ def test_what_depends_on_incidence_is_found() -> None:
     other = struck(300, 2, 0.01, friction, restitution)
     assert by.error_of(other) < 0.7 * plain.error_of(other)
     assert seen.unexplained() < by.error, "any impulse explains more than a law"
+
+
+def test_the_reader_of_the_ellipse_and_the_example(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    seen = struck(200, 3, 0.01)
+    # As the published file has them: Jacobians of the contact, the tangent's lever with the sign turned round.
+    rows = len(seen)
+    data = {
+        "states_i": np.column_stack([np.zeros((rows, 3)), seen.velocity, seen.spin]),
+        "states_f": np.column_stack([np.zeros((rows, 3)), seen.velocity_after, seen.spin_after]),
+        "n": np.column_stack([seen.normal, seen.arm[:, 0]]),
+        "d": np.column_stack([np.ones(rows), np.zeros(rows), seen.arm[:, 1]]),
+    }
+    (tmp_path / "processed_data").mkdir()
+    scipy.io.savemat(tmp_path / "processed_data/data_ellipse.mat", {"data": data})
+    read = carom.data.planar_ellipse(tmp_path)
+    assert (read.mass, read.inertia) == (seen.mass, seen.inertia) and np.array_equal(read.arm, seen.arm)
+    assert np.array_equal(read.differences(0.2, 0.5), seen.differences(0.2, 0.5))
+    runpy.run_path("apps/carom-py/examples/measured.py")["fitted"](read)
+    assert "restitution by incidence" in capsys.readouterr().out
+    with pytest.raises(carom.CaromError, match="data_ellipse.mat"):
+        carom.data.planar_ellipse(tmp_path / "none")
 
 
 def test_what_is_wrong_with_a_fit_is_told() -> None:
