@@ -2,7 +2,7 @@
 
 One question at a time: :func:`run` a scene, resolve an :func:`impact`, ask what :func:`contact` forces are consistent, follow what can
 :func:`roll`, find a :func:`yield_` or a :func:`design`, draw a :func:`map` or :func:`regions`, :func:`feed` many parts, :func:`fit`
-what was observed. By the million: :func:`drops` and :func:`impacts` take arrays.
+what was observed. By the million: :func:`drops` and :func:`impacts` take arrays. In closed form: :func:`derive`.
 
 All values are SI, in a world with x to the right and y up; angles and spins are counter-clockwise. Text may carry other units: ``"12 deg"``.
 
@@ -34,6 +34,7 @@ from carom.answers.sweep import Sweep
 from carom.answers.yield_ import Yield
 from carom.errors import CaromError, Problem
 from carom.scene import Quantity, Scene
+from carom.symbolic import derive
 from carom.table import Table
 
 __all__ = [
@@ -59,6 +60,7 @@ __all__ = [
     "Yield",
     "__version__",
     "contact",
+    "derive",
     "design",
     "drops",
     "feed",
