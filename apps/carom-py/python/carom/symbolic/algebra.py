@@ -30,15 +30,43 @@ class Angle:
         cosine = {"positive": True} if bounds.is_subset(sp.Interval.open(-sp.pi / 2, sp.pi / 2)) else {}
         sine = {"positive": True} if bounds.is_subset(sp.Interval.open(0, sp.pi)) else {}
         self.half = sp.Dummy("t", **{"real": True, **sine})
+        #: The cosine of the half angle, which only results have: its square is (1 + c)/2.
+        self.half_cosine = sp.Dummy("h", real=True)
         self.cosine, self.sine = sp.Dummy("c", **{"real": True, **cosine}), sp.Dummy("s", **{"real": True, **sine})
 
-    def multiple(self, k: int) -> tuple[Any, Any]:
-        """Cosine and sine of k times the angle."""
-        n = abs(k)
+    def multiple(self, times: Any) -> tuple[Any, Any]:
+        """Cosine and sine of a multiple of the angle, or of an odd multiple of its half.
+
+        Raises ValueError for other parts of it.
+        """
+        if times.is_Integer:
+            n, cosine, sine = abs(int(times)), self.cosine, self.sine
+        elif (2 * times).is_Integer:
+            n, cosine, sine = abs(int(2 * times)), self.half_cosine, self.half_cosine * self.sine / (1 + self.cosine)
+        else:
+            raise ValueError(f"{times * self.angle} is no multiple of half of {self.angle}")
         if n == 0:
             return sp.Integer(1), sp.Integer(0)
-        sine = self.sine * sp.chebyshevu_poly(n - 1, self.cosine)
-        return sp.chebyshevt_poly(n, self.cosine), sine if k > 0 else -sine
+        turned = sine * sp.chebyshevu_poly(n - 1, cosine)
+        return sp.chebyshevt_poly(n, cosine), turned if times > 0 else -turned
+
+    def without_halves(self, above: Any, below: Any) -> tuple[Any, Any]:
+        """A quotient in which the cosine of the half angle stands only in even powers, or cancels, without it.
+
+        Raises ValueError where it stays.
+        """
+        h, square, out = self.half_cosine, (1 + self.cosine) / 2, []
+        if not (above.has(h) or below.has(h)):
+            return above, below
+        for one in (above, below):
+            parts = sp.Poly(sp.expand(one), h).all_coeffs()[::-1]
+            out.append([sum(part * square ** (k // 2) for k, part in enumerate(parts) if k % 2 == odd) for odd in (0, 1)])
+        parity = [[sp.expand(part) != 0 for part in one] for one in out]
+        if all(one[0] and not one[1] for one in parity) or parity[0] == [False, False]:
+            return sp.sympify(out[0][0]), sp.sympify(out[1][0])
+        if all(one[1] and not one[0] for one in parity):
+            return sp.sympify(out[0][1]), sp.sympify(out[1][1])
+        raise ValueError(f"the half of {self.angle} stays")
 
 
 class Algebra:
@@ -84,6 +112,9 @@ class Algebra:
         if (len(self._roots), len(self._opaque)) != known:
             raise ValueError(f"{expression} has roots or functions that the problem has not")
         numerator, denominator = sp.fraction(sp.together(walked))
+        for angle in self.angles.values():
+            numerator, denominator = angle.without_halves(numerator, denominator)
+        numerator, denominator = sp.fraction(sp.together(numerator / denominator))
         try:
             above, below = self.ring.from_expr(sp.expand(numerator)), self.ring.from_expr(sp.expand(denominator))
         except (ValueError, sp.GeneratorsError, sp.CoercionFailed):
@@ -167,8 +198,10 @@ class Algebra:
             if rest == sp.pi or rest == 1:
                 c, s = self._walk(sp.cos(count * rest)), self._walk(sp.sin(count * rest))
             else:
+                if rest not in self.angles:
+                    raise ValueError(f"the problem has no angle {rest}")
                 angle = self.angles[rest]
-                c, s = angle.multiple(int(count / angle.angle.as_coeff_Mul()[0]))
+                c, s = angle.multiple(count / angle.angle.as_coeff_Mul(rational=True)[0])
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
         return sp.expand(cosine), sp.expand(sine)
 

@@ -52,7 +52,9 @@ def numeric(problem: SymbolicProblem, values: Mapping[str, float]) -> dict[str, 
 
 def _file(problem: SymbolicProblem, plain: Callable[[Any], Any]) -> dict[str, Any]:
     """The keys of an impact file with each value as ``plain`` makes it."""
-    vector = lambda many: [plain(one) for one in many]  # noqa: E731
+    def vector(many: Iterable[Any]) -> list[Any]:
+        return [plain(one) for one in many]
+
     out: dict[str, Any] = {"law": problem.law}
     if problem.operator is not None:
         matrix, velocity = problem.operator

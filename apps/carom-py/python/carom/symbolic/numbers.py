@@ -132,10 +132,10 @@ def _middle(at_zero: Array, slope: Array) -> Array:
     """Of one open impulse: the middle of what every condition allows."""
     with np.errstate(all="ignore"):
         ends = -at_zero / slope
-    low = np.where(slope > 0, ends, -np.inf).max(axis=0)
-    high = np.where(slope < 0, ends, np.inf).min(axis=0)
-    inside = np.where(np.isinf(low), np.where(np.isinf(high), 0.0, high - 1 - np.abs(high)), low + 1 + np.abs(low))
-    middle = np.where(np.isinf(low) | np.isinf(high), inside, (low + high) / 2)
+        low = np.where(slope > 0, ends, -np.inf).max(axis=0)
+        high = np.where(slope < 0, ends, np.inf).min(axis=0)
+        inside = np.where(np.isinf(low), np.where(np.isinf(high), 0.0, high - 1 - np.abs(high)), low + 1 + np.abs(low))
+        middle = np.where(np.isinf(low) | np.isinf(high), inside, (low + high) / 2)
     return np.asarray(middle)
 
 

@@ -81,11 +81,14 @@ class Halves:
 
     def sign(self, polynomial: Any) -> int | None:
         """1 or −1 where a polynomial is positive or negative for all that is assumed; None where that is not seen."""
+        plain = _plain_sign(polynomial)
+        if plain is not None:
+            return plain
         expression = polynomial.as_expr()
-        if expression.is_positive:
-            return 1
-        if expression.is_negative:
-            return -1
+        value = self.algebra.own(expression)
+        if expression.free_symbols and value.is_number:
+            # Nothing but roots of numbers: their sign is told from thirty digits.
+            return 1 if sp.N(value, 30) > 0 else -1
         for angle in self.angles:
             if expression.free_symbols == {angle.half} and (bounds := self.bounds(angle)) is not None:
                 return _sign_between(sp.Poly(expression, angle.half), bounds)
@@ -219,13 +222,28 @@ def _factor(algebra: Algebra, plain: Any) -> Any:
     return min(candidates, key=lambda one: _cost(algebra, one))
 
 
+def _plain_sign(polynomial: Any) -> int | None:
+    """The sign of a polynomial that its symbols show."""
+    expression = polynomial.as_expr()
+    return 1 if expression.is_positive else -1 if expression.is_negative else None
+
+
 def reduced(algebra: Algebra, number: Any) -> tuple[int, list[Any]]:
     """The sign of a number up to factors of which it is not known: 0, or ±1 and these factors, each once, in the field of half angles."""
     if not number:
         return 0, []
     halves = algebra.halves
-    coefficient, factors = factored(halves.number(number))
-    sign, unknown = (1 if coefficient > 0 else -1), []
+    coefficient, factors = factored(number)
+    sign, rest = (1 if coefficient > 0 else -1), algebra.field.one
+    for factor, power in factors:
+        plain = _plain_sign(factor)
+        if plain is None:
+            rest = rest * algebra.field.new(factor, algebra.ring.one) ** power
+        elif power % 2:
+            sign *= plain
+    coefficient, factors = factored(halves.number(rest))
+    unknown: list[Any] = []
+    sign *= 1 if coefficient > 0 else -1
     for factor, power in factors:
         if power % 2 == 0:
             continue
@@ -247,7 +265,7 @@ def shown(algebra: Algebra, number: Any) -> Any:
     coefficient, all_factors = factored(number)
     in_sines, sign = algebra.ring.one, (1 if coefficient > 0 else -1)
     for factor, power in all_factors:
-        known = algebra.halves.sign(algebra.halves.polynomial(factor)) if power % 2 else 1
+        known = (_plain_sign(factor) or algebra.halves.sign(algebra.halves.polynomial(factor))) if power % 2 else 1
         if known is None:
             in_sines = in_sines * factor
         else:
