@@ -109,8 +109,11 @@ def _image(angle: Any, symbol: Any, domain: Any) -> Any:
 
 
 def _of_problem(problem: SymbolicProblem) -> list[Any]:
-    """Masses are positive, frictions not negative, restitutions from 0 to 1."""
-    out = [value > 0 for body in problem.bodies if not body.fixed for value in (body.mass, *body.inertia)]
+    """Masses are positive, of three moments of inertia none is larger than the two others together, frictions are not negative, restitutions from 0 to 1."""
+    moving = [body for body in problem.bodies if not body.fixed]
+    out = [value > 0 for body in moving for value in (body.mass, *body.inertia)]
+    if problem.space:
+        out += [sp.Ge(sum(body.inertia), 2 * one) for body in moving for one in body.inertia]
     for contact in problem.contacts:
         out += [contact.friction >= 0, contact.restitution >= 0, contact.restitution <= 1]
     return [one for one in out if isinstance(one, Relational)]

@@ -138,16 +138,18 @@ class _Translator:
         return out
 
     def _constant(self, value: Any) -> Any:
-        """An algebraic number: the root of its polynomial that lies near it."""
+        """A number: an algebraic one is the root of its polynomial that lies near it, of others only this is said."""
         if value.is_Rational:
             return self.z3.RealVal(str(value))
         unknown = sp.Symbol("x")
         variable = self.z3.FreshReal("k")
-        total: Any = self.z3.RealVal(0)
-        for coefficient in sp.Poly(sp.minimal_polynomial(value, unknown), unknown).all_coeffs():
-            total = total * variable + self.z3.RealVal(str(coefficient))
         near, step = sp.Rational(str(sp.N(value, 30))), sp.Rational(1, 10**20)
-        self.constants += [total == 0, variable > self.z3.RealVal(str(near - step)), variable < self.z3.RealVal(str(near + step))]
+        if value.is_algebraic:
+            total: Any = self.z3.RealVal(0)
+            for coefficient in sp.Poly(sp.minimal_polynomial(value, unknown), unknown).all_coeffs():
+                total = total * variable + self.z3.RealVal(str(coefficient))
+            self.constants.append(total == 0)
+        self.constants += [variable > self.z3.RealVal(str(near - step)), variable < self.z3.RealVal(str(near + step))]
         return variable
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from carom.symbolic.paper.claims import Claim
+    from carom.symbolic.paper.judging import Claim
 
 __all__ = ["claims"]
 

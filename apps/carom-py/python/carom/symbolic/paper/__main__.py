@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from carom.symbolic.paper import claims
-from carom.symbolic.paper.claims import AGREES, Claim
+from carom.symbolic.paper.judging import AGREES, Claim
 
 
 def plain(claim: Claim) -> str:

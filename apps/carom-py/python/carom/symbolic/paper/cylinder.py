@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 from carom.symbolic import derive
 from carom.symbolic.derivation import Derivation
 from carom.symbolic.emptiness import Asked, exists
-from carom.symbolic.paper.claims import Claim, Outcome, all_of, broken, does_not_occur, formula, may_hold, never, occurs, statement, told
+from carom.symbolic.paper.judging import Claim, Outcome, all_of, broken, does_not_occur, formula, may_hold, never, occurs, statement, told
 
 ASSUME = ("0 < gamma < pi/2", "b > 0", "a > 0", "omega0 > 0")
 #: The four states of the paper, in its order; K slips backward before the impact.
@@ -132,7 +132,7 @@ def claims() -> list[Claim]:
         ("m*omega0*a*sin(2*gamma)", "SNK + SNA*cos(2*gamma) - SNA*f*sin(2*gamma)", "momentum along its normal"),
         ("Jc*omega0 - Jc*omega1", "SNK*f*a + SNA*f*a", "angular momentum"),
     ]
-    out = [statement(f"equation.{k + 1}", SECTION, f"state 3, {what}", f"{left} = {right}", lambda left=left, right=right: _equation(left, right)) for k, (left, right, what) in enumerate(equations)]
+    out = [statement(f"equation.{k + 1}", SECTION, f"state 3, {what}", f"{left} = {right}", partial(_equation, left, right)) for k, (left, right, what) in enumerate(equations)]
     out += [
         formula("SNA", SECTION, "state 3, row 1: normal impulse at A", "-m*omega0*a*(cos(2*gamma) + f*sin(2*gamma))/(sin(2*gamma)*(f**2 + 1))", lambda: _impulse("A")),
         formula("SNK", SECTION, "state 3, row 2: normal impulse at K", "m*omega0*a*(sin(2*gamma)**2 + cos(2*gamma)**2)/(sin(2*gamma)*(f**2 + 1))", lambda: _impulse("K")),

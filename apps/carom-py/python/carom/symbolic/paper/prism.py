@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import sympy as sp
@@ -10,7 +10,7 @@ import sympy as sp
 from carom.symbolic import derive
 from carom.symbolic.derivation import Derivation
 from carom.symbolic.emptiness import Asked
-from carom.symbolic.paper.claims import Claim, Outcome, all_of, broken, does_not_occur, formula, may_hold, never, occurs, statement
+from carom.symbolic.paper.judging import Claim, Outcome, all_of, broken, does_not_occur, formula, may_hold, never, occurs, statement
 
 SECTION = "3"
 #: Of a homogeneous regular prism of n sides.
@@ -58,6 +58,10 @@ def item(number: int) -> Derivation:
     return derive(regular(restitution="R"), STATES[first - 1], restitution=end, assume=(*assume(), "0 < R", "R <= 1"), seconds=5)
 
 
+def _item(number: int) -> Outcome:
+    return occurs((state(number) if number <= 4 else item(number)).existence)
+
+
 def _impulse(name: str, number: int = 1) -> tuple[Derivation, Any]:
     return state(number), state(number).contact(name).normal_impulse
 
@@ -87,13 +91,10 @@ def threshold(sides: int) -> Outcome:
     return Outcome(False, f"f >= {sp.sstr(sp.radsimp(sp.simplify(least)))} = {float(least):.10g}")
 
 
-def _a_stays(number: int, sides: Any, least: int, can: bool) -> Outcome:
-    """Whether A can stay in a state: the homogeneous prism."""
+def _never_stays(number: int, sides: Any, least: int) -> Outcome:
+    """Whether A stays in none of the homogeneous prisms in this state."""
     of = state(number, sides, HOMOGENEOUS, least)
-    if can:
-        return occurs(of.existence)
-    found = does_not_occur(of.existence, f"A stays, with the impulse {of.contact('A').normal_impulse}, as at")
-    return found
+    return does_not_occur(of.existence, f"A stays, with the impulse {of.contact('A').normal_impulse}, as at")
 
 
 def _a_separates(sides: int) -> Outcome:
@@ -139,20 +140,20 @@ def _k_never_separates() -> Outcome:
 def claims() -> list[Claim]:
     """Everything that section 3 prints."""
     words = ["no point separates, non-sliding: it stops", "no point separates, it slides on", "A separates, K sticks: rotation round K", "A separates, K slips"]
-    out = [statement(f"item.{k + 1}", SECTION, f"item {k + 1} of the list", f"{word}; it may be", lambda k=k: occurs(state(k + 1).existence)) for k, word in enumerate(words)]
+    out = [statement(f"item.{k + 1}", SECTION, f"item {k + 1} of the list", f"{word}; it may be", partial(_item, k + 1)) for k, word in enumerate(words)]
     elastic = {5: "A separates, non-sliding, K rebounds", 6: "A separates, sliding, K rebounds", 7: "A does not separate, sliding, K rebounds", 8: "A does not separate, non-sliding: rotation round A"}
-    out += [statement(f"item.{k}", SECTION, f"item {k} of the list", f"{word}; it may be", lambda k=k: occurs(item(k).existence)) for k, word in elastic.items()]
+    out += [statement(f"item.{k}", SECTION, f"item {k} of the list", f"{word}; it may be", partial(_item, k)) for k, word in elastic.items()]
     out += [
         statement("item_5", SECTION, "item 5 of the list, a non-sliding impact", "K slips", lambda: _k_slips(True), meant="K sticks", judged_as_meant=lambda: _k_slips(False)),
         formula("SNK", SECTION, "both stay, non-sliding: normal impulse at K", "omega0*(Jc + m*a**2)/(2*a*sin(pi/n))", lambda: _impulse("K")),
         formula("SNA", SECTION, "both stay, non-sliding: normal impulse at A", "omega0*(2*m*a**2*sin(pi/n)**2 - (Jc + m*a**2))/(2*a*sin(pi/n))", lambda: _impulse("A")),
         formula("omega1", SECTION, "both stay: roll rate after", "0", lambda: (state(1), -state(1).spin)),
     ]
-    out += [statement(f"sticking.{n}", SECTION, f"n = {n}: friction from which the impact is non-sliding", "f >= 1/tan(pi/n)", lambda n=n: threshold(n)) for n in (3, 4, 6, 8, 12)]
+    out += [statement(f"sticking.{n}", SECTION, f"n = {n}: friction from which the impact is non-sliding", "f >= 1/tan(pi/n)", partial(threshold, n)) for n in (3, 4, 6, 8, 12)]
     out += [
         statement("stays.3", SECTION, "n = 3, sliding or not", "A does not separate", lambda: _a_separates(3)),
-        statement("stays", SECTION, "n of 4 and more, non-sliding", "A separates", lambda: _a_stays(1, "n", 4, False)),
-        statement("stays.4.sliding", SECTION, "n = 4, sliding", "A separates", lambda: _a_stays(2, 4, 4, False)),
+        statement("stays", SECTION, "n of 4 and more, non-sliding", "A separates", lambda: _never_stays(1, "n", 4)),
+        statement("stays.4.sliding", SECTION, "n = 4, sliding", "A separates", lambda: _never_stays(2, 4, 4)),
         formula("SNA.4.sliding", SECTION, "n = 4, sliding: normal impulse at A, which is said to separate", "0", lambda: (state(2, 4, HOMOGENEOUS), state(2, 4, HOMOGENEOUS).contact("A").normal_impulse)),
         statement("irregular", SECTION, "irregular prism: A does not separate where", "Jc <= m*a*b*cos(gamma)", lambda: _bound("m*a*b*cos(gamma)"), meant="Jc <= -m*a*b*cos(gamma)", judged_as_meant=lambda: _bound("-m*a*b*cos(gamma)")),
         statement("irregular.obtuse", SECTION, "irregular prism: A does not separate", "only where the central angle is obtuse", _obtuse),

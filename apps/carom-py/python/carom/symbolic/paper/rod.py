@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import sympy as sp
 
 from carom.symbolic import derive
 from carom.symbolic.derivation import Derivation
-from carom.symbolic.paper.claims import Claim, Outcome, all_of, does_not_occur, equal, formula, may_hold, never, occurs, same_at_random, statement
+from carom.symbolic.paper.judging import Claim, Outcome, all_of, does_not_occur, equal, formula, may_hold, never, occurs, same_at_random, statement
 
 SECTION = "4"
 ASSUME = ("a > 0", "b > 0", "l > 0", "omega0 > 0")
@@ -143,7 +143,7 @@ def claims() -> list[Claim]:
         formula("k", SECTION, "A separates: spin after by before", k, _ratio),
         formula("Vcy1.leaves", SECTION, "A separates: velocity of the middle after", f"omega0*{k}*b", lambda: (plastic(2), plastic(2).velocity[1])),
         statement("mass", SECTION, "mass and speed", "do not influence the condition and k", _without_mass_and_speed),
-        *[statement(f"variant.{n}", SECTION, f"variant {n} of the rod's behaviour", "it may be", lambda n=n: _variant(n)) for n in (1, 2, 3, 4)],
+        *[statement(f"variant.{n}", SECTION, f"variant {n} of the rod's behaviour", "it may be", partial(_variant, n)) for n in (1, 2, 3, 4)],
         statement("variant.2.axis", SECTION, "variant 2: further rotation", "round B", lambda: _turns_about("B", 2)),
         statement("variant.3.axis", SECTION, "variant 3: further rotation", "round A", lambda: _turns_about("A", 3)),
     ]

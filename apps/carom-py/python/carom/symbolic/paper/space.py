@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import sympy as sp
@@ -10,7 +10,7 @@ import sympy as sp
 from carom.symbolic import derive
 from carom.symbolic.derivation import Derivation, Derivations
 from carom.symbolic.emptiness import Asked
-from carom.symbolic.paper.claims import Claim, Outcome, all_of, broken, does_not_occur, equal, formula, may_hold, never, occurs, statement, told
+from carom.symbolic.paper.judging import Claim, Outcome, all_of, broken, does_not_occur, equal, formula, may_hold, occurs, statement
 
 SECTION = "5.1"
 SUPPORTS = "5.2"
@@ -126,8 +126,8 @@ def _approach(sides: Any) -> str:
     return f"sin(delta)*{s}*(-2*a*{s}**2*omega_zeta) + sin(delta)*{co}*(-2*a*{s}*{co}*omega_zeta) + cos(delta)*(2*a*{s}**2*omega_xi + 2*a*{s}*{co}*omega_eta) < 0"
 
 
-def _omega(moments: str) -> tuple[Derivation, Any]:
-    """The spin along OK, with moments about the support or about the mass centre in the printed one."""
+def _omega() -> tuple[Derivation, Any]:
+    """The spin along OK."""
     of = on_supports("OK")
     names = of.problem.names
     s, c = names.read("sin(pi/n)"), names.read("cos(pi/n)")
@@ -159,13 +159,13 @@ def claims() -> list[Claim]:
         of = "from four sides on" if sides == "n" else "three sides"
         key = "" if sides == "n" else ".3"
         out += [
-            statement(f"two{key}", SECTION, f"{of}: possible of the eight states", "K keeps, or K and O; no others", lambda sides=sides: _only_two(sides)),
-            statement(f"kept{key}.long", SECTION, f"{of}, a long pyramid", "O and K keep, A separates", lambda sides=sides: _always("OK", sides, True)),
-            statement(f"kept{key}.short", SECTION, f"{of}, a short pyramid", "K keeps, spherical motion about it", lambda sides=sides: _always("K", sides, False)),
+            statement(f"two{key}", SECTION, f"{of}: possible of the eight states", "K keeps, or K and O; no others", partial(_only_two, sides)),
+            statement(f"kept{key}.long", SECTION, f"{of}, a long pyramid", "O and K keep, A separates", partial(_always, "OK", sides, True)),
+            statement(f"kept{key}.short", SECTION, f"{of}, a short pyramid", "K keeps, spherical motion about it", partial(_always, "K", sides, False)),
         ]
     out += [
         statement("also", SECTION, "from four sides on, a short pyramid: what separates", "the vertex A (\"is also separated\")", lambda: _also("A"), meant="the apex O beside A", judged_as_meant=lambda: _also("OA")),
-        formula("spin", SUPPORTS, "both supports stay: spin after, moments about the support O", about_o, lambda: _omega("O")),
+        formula("spin", SUPPORTS, "both supports stay: spin after, moments about the support O", about_o, _omega),
         statement("spin.axis", SUPPORTS, "both supports stay: spin after", "is directed along OK", _is_along_ok),
         statement("stays", SUPPORTS, "three supports: non-separation of both", "possible", lambda: _possible("OK")),
         statement("separates.O", SUPPORTS, "separation of O only", "possible", lambda: _possible("K")),
@@ -174,10 +174,8 @@ def claims() -> list[Claim]:
     return out
 
 
-def about_centre() -> Outcome:
-    """The printed spin with moments about the mass centre: what it must not be read as."""
-    of, right = _omega("G")
-    return Outcome(equal(of, printed_omega("Jt", "Jt", "0"), right), sp.sstr(right))
+def read_as(xi: str, eta: str, eta_zeta: str) -> Outcome:
+    """Whether the printed spin is right with these moments and this product of inertia."""
+    of, right = _omega()
+    return Outcome(equal(of, printed_omega(xi, eta, eta_zeta), right), sp.sstr(right))
 
-
-__all__ = ["about_centre", "claims", "kept", "never", "on_supports", "pyramid", "supports", "told"]
