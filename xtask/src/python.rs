@@ -6,7 +6,7 @@ use std::process::Command;
 
 const PACKAGE: &str = "apps/carom-py";
 /// What its tests need beside it.
-const TESTS: &str = "apps/carom-py[test]";
+const TESTS: &str = "apps/carom-py[derive,test]";
 
 /// Builds, installs and tries it; the note has what was measured.
 pub(crate) fn check(root: &Path) -> Result<String, String> {

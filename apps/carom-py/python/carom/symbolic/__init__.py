@@ -79,7 +79,7 @@ def derive(
     >>> sticks.spin
     2*omega0/7
     >>> [condition.reduced for condition in sticks.conditions if condition.kind == "friction_cone"]
-    [7*f*v - 2*omega0*r, 1]
+    [1, 7*f*v - 2*omega0*r]
     """
     needed("sympy")
     if discard:

@@ -36,7 +36,7 @@ class Agreement:
     velocity: float
     """Worst difference of a velocity, as a share of the largest velocity of the contacts."""
     impulse: float
-    """Worst difference of an impulse, as a share of the largest; of motions whose impulses are determined."""
+    """Worst difference of an impulse, as a share of the largest; of those that are determined."""
     missed: tuple[Mapping[str, float], ...] = ()
     """Some numbers at which it has none."""
 
@@ -152,7 +152,7 @@ class _End:
 
 
 def _nearest(derivation: Derivation, numbers: Numbers, i: int, file: dict[str, Any], non_sliding: bool) -> tuple[float, float] | None:
-    """How far the engine's nearest end state is: in velocities, and in impulses (0 where they are open)."""
+    """How far the engine's nearest end state is: in velocities, and in those impulses that are not open."""
     ends = list(_ends(file, non_sliding))
     if not ends:
         return None
@@ -165,8 +165,17 @@ def _nearest(derivation: Derivation, numbers: Numbers, i: int, file: dict[str, A
     speed = max(float(np.abs(velocity).max()), max(float(np.abs(end.velocity).max()) for end in ends), _speed(file))
     off, best = min(((float(np.abs(velocity - end.velocity).max()) / speed, end) for end in ends), key=lambda pair: pair[0])
     largest = float(np.abs(best.impulse).max())
-    open_ones = bool(derivation.free) or best.open
-    return off, 0.0 if open_ones or largest == 0 else float(np.abs(impulse - best.impulse).max()) / largest
+    settled = _settled(derivation, non_sliding)
+    return off, 0.0 if not settled.any() or largest == 0 else float(np.abs(impulse - best.impulse)[settled].max()) / largest
+
+
+def _settled(derivation: Derivation, non_sliding: bool) -> Any:
+    """Which components of impulses do not depend on those that stay open: the normal ones alone where nothing slides."""
+    made: dict[str, Any] = derivation.__dict__.setdefault("_settled", {})
+    if not made:
+        every = [[one.normal_impulse] if non_sliding else list(one.impulse) for one in derivation.contacts]
+        made["mask"] = np.array([[not (derivation.free and part.has(*derivation.free)) for part in one] for one in every])
+    return made["mask"][:, 0] if non_sliding else made["mask"]
 
 
 def _of_family(derivation: Derivation, one: Mapping[str, float], file: dict[str, Any]) -> tuple[float, float] | None:

@@ -172,7 +172,10 @@ class Derivation:
         return (*momentum(self.problem, self.compression, before), *of_contacts(self.problem, self.compression))
 
     def at(self, values: Mapping[Any, Any]) -> Numbers:
-        """Impulses, velocities and whether the hypothesis holds, at numbers (or arrays of them) for all symbols."""
+        """Impulses, velocities and whether the conditions are met, at numbers (or arrays of them) for all symbols.
+
+        That numbers meet what is assumed is not asked. Raises :class:`carom.CaromError` that names every symbol without a value.
+        """
         from carom.symbolic.numbers import numbers
 
         return numbers(self, values)

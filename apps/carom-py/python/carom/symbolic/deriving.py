@@ -11,7 +11,7 @@ from carom.symbolic.assumptions import Assumptions, properties_of
 from carom.symbolic.derivation import Derivation, Derivations
 from carom.symbolic.emptiness import Asked, Existence, exists
 from carom.symbolic.hypothesis import Hypothesis, HypothesisLike, every, parse
-from carom.symbolic.mechanics import Mechanics
+from carom.symbolic.mechanics import Mechanics, impulse_symbols, normal_symbol
 from carom.symbolic.problem import problem_of
 from carom.symbolic.solution import PhaseSolution, solve_phase
 from carom.symbolic.tidy import reduced
@@ -27,6 +27,7 @@ class Deriver:
 
         known = {symbol for one in assume if not isinstance(one, str) for symbol in sp.sympify(one).free_symbols}
         self.problem = problem_of(problem, known=known, properties=properties_of(assume))
+        self._names_are_free()
         self.mechanics = Mechanics(self.problem, Assumptions(self.problem, assume))
         self.non_sliding, self.discard, self.seconds = non_sliding, discard, seconds
         self.zero = self.mechanics.algebra.field.zero
@@ -36,6 +37,14 @@ class Deriver:
         if self.problem.space and self.newton and len(self.problem.contacts) > 1:
             message = "law = newton is for one contact in space"
             raise CaromError(f"law: {message}", [Problem(message, kind="unsupported", path="law", key="law")])
+
+    def _names_are_free(self) -> None:
+        """Raises :class:`carom.CaromError` where a symbol has the name of an impulse."""
+        own = {symbol.name for k in range(self.count) for phase in (1, 2) for symbol in (*impulse_symbols(self.problem, k, phase), normal_symbol(self.problem, k, phase))}
+        taken = [symbol.name for symbol in self.problem.symbols if symbol.name in own]
+        if taken:
+            problems = [Problem(f"{name} is the name of an impulse: call the symbol otherwise", kind="name", path=name, key=name) for name in taken]
+            raise CaromError("\n".join(one.message for one in problems), problems)
 
     @property
     def count(self) -> int:

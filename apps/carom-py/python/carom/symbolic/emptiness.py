@@ -99,7 +99,8 @@ class _Translator:
         """A relation as Z3 has it; None where it is about angles themselves, which their ranges tell."""
         inside = {symbol for angle in self.algebra.angles.values() for symbol in angle.angle.free_symbols}
         difference = relation.lhs - relation.rhs
-        if not difference.has(sp.sin, sp.cos, sp.tan, sp.cot) and difference.free_symbols and difference.free_symbols <= inside:
+        plain = difference.free_symbols and not difference.has(sp.sin, sp.cos, sp.tan, sp.cot)
+        if plain and difference.free_symbols <= inside and not difference.free_symbols <= set(self.place):
             return None
         try:
             number = self.halves.number(self.algebra.element(difference))

@@ -61,7 +61,9 @@ class Mechanics:
         out += [value for one in problem.contacts for value in (*one.point, *one.normal, one.friction, one.restitution)]
         if problem.operator is not None:
             out += [*problem.operator[0], *problem.operator[1]]
-        return out
+        # Roots, sines and cosines of what is assumed belong to the field too.
+        assumed = [one.lhs - one.rhs for one in self.assumptions.relations]
+        return out + [one for one in assumed if one.has(sp.sin, sp.cos, sp.tan, sp.cot) or any(not power.exp.is_Integer for power in one.atoms(sp.Pow))]
 
     def arm(self, contact: SymbolicContact, body: SymbolicBody) -> tuple[Any, ...]:
         """From the mass centre to the contact."""
