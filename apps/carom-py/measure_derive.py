@@ -1,6 +1,6 @@
 """Every derived formula beside the engine: how far they differ at 10⁴ random impacts each (or as many as are asked for).
 
-``python apps/carom-py/measure_derive.py [DRAWS]``
+``python apps/carom-py/measure_derive.py [DRAWS] [WORD]``: only formulas whose name begins with the word.
 """
 
 from __future__ import annotations
@@ -90,10 +90,10 @@ def formulas() -> Iterator[tuple[str, Derivation, Draw, bool]]:
         yield f"two bodies and a floor: {one.title}", one, BODIES, False
 
 
-def main(draws: int) -> int:
+def main(draws: int, word: str) -> int:
     """Compares all of them; 1 where one differs or is not found."""
     begun, total, worst, bad = time.perf_counter(), 0, [0.0, 0.0], 0
-    for name, derivation, draw, non_sliding in formulas():
+    for name, derivation, draw, non_sliding in (one for one in formulas() if one[0].startswith(word)):
         found = against_engine(derivation, draw, draws, non_sliding=non_sliding, at_most=60)
         total += found.draws
         bad += found.draws - found.found
@@ -101,7 +101,8 @@ def main(draws: int) -> int:
         print(f"{name}: {found.found} of {found.draws}, velocities to {found.velocity:.1e}, impulses to {found.impulse:.1e}", flush=True)
         for one in found.missed:
             print(f"   not found at {one}")
-    for name, problem, assume, draw in (("cylinder", cylinder.problem(), cylinder.ASSUME, ROLLING), ("box", BOX, ("v > 0", "w > 0", "h > 0"), BOXES)):
+    whole = [("cylinder", cylinder.problem(), cylinder.ASSUME, ROLLING), ("box", BOX, ("v > 0", "w > 0", "h > 0"), BOXES)]
+    for name, problem, assume, draw in (one for one in whole if one[0].startswith(word)):
         matched, missed = all_found(carom.derive(problem, assume=assume), draw, draws)
         bad += len(missed)
         print(f"{name}: a formula for {matched} of {matched + len(missed)} end states of the engine")
@@ -110,4 +111,4 @@ def main(draws: int) -> int:
 
 
 if __name__ == "__main__":
-    raise SystemExit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 10_000))
+    raise SystemExit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 10_000, sys.argv[2] if len(sys.argv) > 2 else ""))

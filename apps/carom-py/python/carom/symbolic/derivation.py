@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from carom.symbolic.emptiness import Existence
+from carom.symbolic.elimination import without
 from carom.symbolic.equations import Equation, momentum, of_contacts
 from carom.symbolic.hypothesis import Hypothesis, said
 from carom.symbolic.mechanics import Mechanics
@@ -109,6 +110,17 @@ class Derivation:
     def conditions(self) -> tuple[Condition, ...]:
         """The inequalities that bound it."""
         return tuple(condition for phase in self.phases for condition in phase.conditions)
+
+    @cached_property
+    def closed_conditions(self) -> tuple[Condition, ...] | None:
+        """The same without impulses that stay open: met where some value of these meets all conditions. What always holds is left out.
+
+        None where several impulses stay open, or signs that it takes are not known.
+        """
+        algebra = self.mechanics.algebra
+        if not self.free:
+            return tuple(one for one in self.conditions if one.reduced != 1)
+        return without(algebra, self.conditions, self.free[0]) if len(self.free) == 1 else None
 
     @property
     def impulse_numbers(self) -> list[Any]:

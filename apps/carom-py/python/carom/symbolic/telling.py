@@ -164,7 +164,10 @@ def text(derivation: Derivation) -> str:
     if derivation.free:
         solution.append(f"The equations leave {', '.join(str(one) for one in derivation.free)} open: more contacts hold the body than it has velocities.")
     lines += _numbered("Solution", solution, number)
-    lines += _numbered("When it holds", [*[_condition(one) for one in derivation.conditions], _verdict(derivation)], number + 1)
+    conditions = [_condition(one) for one in derivation.conditions]
+    if derivation.free and derivation.closed_conditions:
+        conditions += [f"Some {derivation.free[0]} meets all of them where", *[f"   {_condition(one)}" for one in derivation.closed_conditions]]
+    lines += _numbered("When it holds", [*conditions, _verdict(derivation)], number + 1)
     return "\n".join(lines).rstrip() + "\n"
 
 
