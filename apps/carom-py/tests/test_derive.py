@@ -167,6 +167,17 @@ def test_an_impact_file_is_a_problem_too() -> None:
         assert float(one.spin) == pytest.approx(end.spin_rad_s, rel=1e-12)
 
 
+def test_quantities_with_units_and_degrees() -> None:
+    given = ball()
+    given["body"] = {"mass": "200 g", "inertia": "4 kg cm^2", "velocity": ["0 m/s", "-150 cm/s"], "spin": "-60 rpm"}
+    given["contact"][0] |= {"point": ["0 mm", "-50 mm"], "friction": "0.5"}
+    drop = carom.derive(given)
+    assert [one.hypothesis for one in drop] == ["A sticks"] and drop[0].existence.verdict == "holds"
+    answer = carom.impact(given)
+    assert isinstance(answer, carom.PlanarImpact)
+    assert float(drop[0].spin) == pytest.approx(answer.end_states[0].spin_rad_s, rel=1e-12)
+
+
 def test_symbols_of_the_caller_are_used_as_they_are() -> None:
     mass, radius, speed = sympy.symbols("m r v", positive=True)
     given = {"body": {"mass": mass, "inertia": 2 * mass * radius**2 / 5, "velocity": [0, -speed]}, "contact": [{"point": [0, -radius], "normal": [0, 1], "friction": 0.5}]}

@@ -99,6 +99,11 @@ class Algebra:
         self._back = {one.cosine: sp.cos(one.angle) for one in self.angles.values()} | {one.sine: sp.sin(one.angle) for one in self.angles.values()}
         self._back_roots = {r: sp.sqrt(square) for square, r in self._roots.items()} | {r: what for what, r in self._opaque.items()}
 
+    @property
+    def constants(self) -> dict[Any, Any]:
+        """Unknowns that stand for numbers such as pi, and these numbers."""
+        return {r: what for what, r in self._opaque.items() if what.is_number}
+
     def _own(self) -> set[Any]:
         return {one for angle in self.angles.values() for one in (angle.cosine, angle.sine)} | set(self._roots.values()) | set(self._opaque.values())
 
@@ -174,14 +179,14 @@ class Algebra:
             return self._walk(e.base) ** e.exp
         if isinstance(e, sp.Pow) and (2 * e.exp).is_Integer:
             return self._root(self._walk(e.base)) ** int(2 * e.exp)
-        return self._opaque.setdefault(e, sp.Dummy("f", real=True))
+        known = {"positive": True} if e.is_positive else {"negative": True} if e.is_negative else {"real": True}
+        return self._opaque.setdefault(e, sp.Dummy("f", **known))
 
     def _root(self, square: Any) -> Any:
         numerator, denominator = sp.fraction(sp.together(square))
         radicand = sp.expand(numerator * denominator)
         for angle in self.angles.values():
             radicand = sp.rem(radicand, angle.sine**2 + angle.cosine**2 - 1, angle.sine) if radicand.has(angle.sine) else radicand
-        content, rest = sp.factor_terms(radicand).as_coeff_Mul()
         outside = sp.Integer(1)
         for factor, power in sp.factor_list(radicand)[1] if radicand.free_symbols else []:
             if factor.is_positive and power >= 2:

@@ -41,14 +41,6 @@ class Agreement:
     """Some numbers at which it has none."""
 
 
-def numeric(problem: SymbolicProblem, values: Mapping[str, float]) -> dict[str, Any]:
-    """The impact file of a problem at numbers, as a dictionary."""
-    names = {symbol.name: symbol for symbol in problem.symbols}
-    made: dict[Any, Any] = {names[name]: float(value) for name, value in values.items() if name in names}
-    plain = lambda one: float(sp.sympify(one).xreplace(made).evalf())  # noqa: E731
-    return _file(problem, plain)
-
-
 def _file(problem: SymbolicProblem, plain: Callable[[Any], Any]) -> dict[str, Any]:
     """The keys of an impact file with each value as ``plain`` makes it."""
     def vector(many: Iterable[Any]) -> list[Any]:

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import sympy as sp
-
 from carom.symbolic.emptiness import Existence
 from carom.symbolic.elimination import without
 from carom.symbolic.equations import Equation, momentum, of_contacts
@@ -243,7 +241,7 @@ class Derivations:
     def at(self, values: Mapping[Any, Any]) -> list[tuple[Derivation, Numbers]]:
         """Which of them hold at these numbers, with their numbers."""
         found = [(one, one.at(values)) for one in self.kept]
-        return [(one, numbers) for one, numbers in found if bool(sp.sympify(bool(numbers.holds.all())))]
+        return [(one, numbers) for one, numbers in found if numbers.holds.all()]
 
     def text(self) -> str:
         """Which hypotheses there are, where each holds, and why the others are discarded."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+import sympy as sp
+
 from carom._given import FileLike
 from carom.errors import CaromError, Problem
 from carom.symbolic.assumptions import Assumptions, properties_of
@@ -23,8 +25,6 @@ class Deriver:
     """Derives hypotheses of one problem."""
 
     def __init__(self, problem: FileLike, assume: Sequence[Any], non_sliding: bool, discard: bool, seconds: float) -> None:
-        import sympy as sp
-
         known = {symbol for one in assume if not isinstance(one, str) for symbol in sp.sympify(one).free_symbols}
         self.problem = problem_of(problem, known=known, properties=properties_of(assume))
         self._names_are_free()

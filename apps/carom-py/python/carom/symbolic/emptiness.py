@@ -124,6 +124,7 @@ class _Translator:
                 out.append(x >= 0)
         for angle in self.algebra.angles.values():
             out += self._range(angle)
+        out += [self.variables[self.place[symbol]] == self._constant(value) for symbol, value in self.algebra.constants.items()]
         return out
 
     def _range(self, angle: Any) -> list[Any]:

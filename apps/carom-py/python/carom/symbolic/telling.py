@@ -9,7 +9,7 @@ import sympy as sp
 
 from carom.symbolic.derivation import Derivation, Derivations
 from carom.symbolic.equations import Equation, after_symbols, momentum, of_contacts
-from carom.symbolic.hypothesis import Hypothesis, said
+from carom.symbolic.hypothesis import Hypothesis
 from carom.symbolic.mechanics import impulse_symbols
 from carom.symbolic.solution import Condition
 from carom.symbolic.tidy import short
@@ -218,8 +218,3 @@ def overview(derivations: Derivations) -> str:
         lines.append("Discarded:")
         lines += [f"   {one.title}: {one.existence.why}." for one in derivations.discarded]
     return "\n".join(lines) + "\n"
-
-
-def title_of(derivation: Derivation) -> str:
-    """A short title for pictures: what each contact does in the end."""
-    return said(derivation.problem, derivation.restitution or derivation.compression)

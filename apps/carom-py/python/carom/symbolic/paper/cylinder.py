@@ -37,7 +37,7 @@ def plastic(state: int, ratio: Any = "b") -> Derivation:
 @cache
 def elastic(state: int, end: str) -> Derivation:
     """A hypothesis of restitution after one of the four states."""
-    return derive(problem("R"), STATES[state - 1], restitution=end, assume=(*ASSUME, "0 < R", "R <= 1"), seconds=5)
+    return derive(problem("R"), STATES[state - 1], restitution=end, assume=(*ASSUME, "0 < R", "R <= 1"), seconds=20)
 
 
 def _impulse(name: str) -> tuple[Derivation, Any]:

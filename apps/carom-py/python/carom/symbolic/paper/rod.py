@@ -38,11 +38,6 @@ def elastic(variant: int) -> Derivation:
     return derive(problem("R"), STATES[variant - 3], restitution=end, assume=(*ASSUME, "0 < R", "R <= 1"), seconds=5)
 
 
-def _same(text: str, right: Any, derivation: Derivation | None = None) -> Outcome:
-    of = derivation or plastic(1)
-    return Outcome(equal(of, text, right), str(right))
-
-
 def _inertia(text: str) -> Outcome:
     """The moment of a thin rod about its middle."""
     names = plastic(1).problem.names
