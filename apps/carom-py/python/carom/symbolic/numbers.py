@@ -91,7 +91,9 @@ def _decided(derivation: Derivation, given: dict[Any, Array], open_ones: list[An
     if len(open_ones) == 1:
         chosen[0] = _middle(at_zero, along[0])
     elif len(open_ones) > 1:
-        for i in range(count):
+        # Where a condition is broken that no open impulse changes, none needs to be looked for.
+        possible = ~((at_zero < -SLACK_TOLERANCE * scale) & (along == 0).all(axis=0)).any(axis=0)
+        for i in np.flatnonzero(possible):
             chosen[:, i] = _best(at_zero[:, i], along[:, :, i].T)
     total = at_zero + np.einsum("kji,ki->ji", along, chosen) if len(open_ones) else at_zero
     scale = scale + np.einsum("kji,ki->ji", np.abs(along), np.abs(chosen)) if len(open_ones) else scale
