@@ -46,10 +46,11 @@ mod served {
     use super::StudioOptions;
     use crate::args::{Format, Output};
     use crate::failure::Failure;
+    use crate::files;
     use crate::printed::tell;
-    use crate::{disk, files};
     use carom_scene::Scene;
     use carom_studio::{Server, Site};
+    use carom_sweep::disk;
     use std::collections::BTreeMap;
     use std::io::Write;
     use std::path::Path;
