@@ -4,7 +4,7 @@ use crate::answers::toml;
 use crate::failure::{of_inputs, of_words};
 use crate::given::{Given, at, rows};
 use crate::watch::long;
-use carom::motion::spatial::{Friction, State};
+use carom::motion::spatial::{End, Friction, State};
 use carom_impact::planar::Law;
 use carom_num::{Rotation, Vec3};
 use carom_scene::{PoseMark, SpatialRollKind, SpatialRollProblem};
@@ -29,6 +29,8 @@ const START: [&str; 13] = [
     "spin_y",
     "spin_z",
 ];
+/// Numbers that an answer may have: 1.6 GB.
+const MOST_NUMBERS: usize = 200_000_000;
 /// Numbers of a pose: the position and the attitude.
 const POSE: usize = 7;
 
@@ -42,8 +44,8 @@ pub(crate) struct Asks {
     count: usize,
 }
 
-/// The poses of tosses, a row each: `count` poses one after another, the first at the start. A body that rests stays where it is; a toss that cannot be
-/// followed has NaN.
+/// The poses of tosses, a row each: `count` poses one after another, the first at the start. A body that rests stays where it is; where a toss cannot
+/// be followed further, NaN.
 #[pyfunction]
 #[pyo3(signature = (start, friction, restitution, asks, progress=None))]
 pub(crate) fn tosses<'py>(
@@ -71,6 +73,10 @@ pub(crate) fn tosses<'py>(
     given.push(Given { name: "friction", values: friction.view(), allowed: [0.0, f64::INFINITY] });
     given.push(Given { name: "restitution", values: restitution.view(), allowed: [0.0, 1.0] });
     let rows = rows(py, "tosses", &given)?;
+    if rows.saturating_mul(count).saturating_mul(POSE) > MOST_NUMBERS {
+        let message = format!("tosses: {rows} tosses with {count} poses each are too many for one call");
+        return Err(of_words(py, &message));
+    }
     let starts = (0..start.nrows()).map(|row| state(&start, row)).collect::<Option<Vec<_>>>();
     let starts = starts.ok_or_else(|| of_words(py, "tosses: an attitude of four zeros is no rotation"))?;
     let poses = long(py, Some(rows), progress, |watch| {
@@ -105,10 +111,14 @@ fn tossed(
     poses: &mut [f64],
 ) {
     let Ok(world) = problem.world.clone().with_friction(contact) else { return };
-    let problem = SpatialRollProblem { world, start, ..problem.clone() };
+    // As long as it is looked at, whatever the file says.
+    let most_time = interval * count as f64;
+    let problem = SpatialRollProblem { world, start, most_time, strikes: None, ..problem.clone() };
     let Ok(run) = problem.follow_showing(interval) else { return };
     let regular = run.poses.iter().flatten().filter(|pose| pose.mark == PoseMark::Regular);
-    let states = regular.map(|pose| pose.state).chain(std::iter::repeat(run.last));
+    let rests = matches!(run.end, Some(End::AtRest { .. }));
+    let rest = std::iter::repeat(run.last).take_while(|_| rests);
+    let states = regular.map(|pose| pose.state).chain(rest);
     for (pose, state) in poses.chunks_mut(POSE).zip(states.take(count)) {
         let (centre, attitude) = (state.centre, state.attitude);
         let numbers = [centre.x, centre.y, centre.z, attitude.w, attitude.v.x, attitude.v.y, attitude.v.z];

@@ -61,10 +61,15 @@ def test_what_is_wrong_with_a_sweep_is_told(tmp_path: Path) -> None:
     assert paths == ["grid", "grid", "plate", "shard"] and "--" not in str(error.value)
     with pytest.raises(carom.CaromError, match="low, high, points"):
         carom.sweep(CASE, {"contact.friction": (0, 1)}, tmp_path)  # type: ignore[dict-item]
+    for wrong in (5, None):
+        with pytest.raises(carom.CaromError, match="^designs: expected"):
+            carom.sweep(CASE, wrong, tmp_path)  # type: ignore[arg-type]
+    with pytest.raises(carom.CaromError, match="^folder: expected"):
+        carom.sweep(CASE, "contact.friction=0..0.3:31", "")
     with pytest.raises(carom.CaromError, match="no such file"):
         carom.sweep(CASE, "no.csv", tmp_path)
     carom.sweep(CASE, {"contact.friction": (0, 0.1, 3)}, tmp_path)
-    with pytest.raises(carom.CaromError, match="is of another sweep: name another folder with out, or replace it with force"):
+    with pytest.raises(carom.CaromError, match="is of another sweep: name another folder, or replace it with force"):
         carom.sweep(CASE, {"contact.friction": (0, 0.1, 4)}, tmp_path)
     assert carom.sweep(CASE, {"contact.friction": (0, 0.1, 4)}, tmp_path, force=True).rows == 4
 

@@ -283,3 +283,25 @@ else:
     raise AssertionError("no error")
 """
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_numbers_that_are_none_hold_nowhere() -> None:
+    ball = carom.derive(
+        {"body": {"mass": "m", "inertia": "2*m*r**2/5", "velocity": [0, "-v"], "spin": "w"}, "contact": [{"point": [0, "-r"], "normal": [0, 1], "friction": "f"}]},
+        "A sticks",
+    )
+    good = {"m": 1, "r": 0.1, "v": 1, "w": 1, "f": 1}
+    assert ball.at(good).holds.all()
+    assert not ball.at(good | {"w": float("nan")}).holds.any()
+
+
+def test_what_is_said_twice_or_of_nothing_is_refused() -> None:
+    ball = {"body": {"mass": "m", "inertia": "J", "velocity": [0, "-v"]}, "contact": [{"point": [0, "-r"], "normal": [0, 1], "friction": "f"}]}
+    with pytest.raises(carom.CaromError, match="the problem has no gama"):
+        carom.derive(ball, "A sticks", assume=["gama < pi/2"])
+    with pytest.raises(carom.CaromError, match="said twice"):
+        carom.derive(ball, "A sticks, A slips+")
+    with pytest.raises(carom.CaromError, match="like 'A sticks'"):
+        carom.derive(ball, "sticks")
+    with pytest.raises(carom.CaromError, match="expected a text"):
+        carom.derive(ball, 5)  # type: ignore[call-overload]

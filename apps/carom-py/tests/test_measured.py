@@ -43,7 +43,9 @@ def test_tosses_say_what_is_wrong() -> None:
     good: dict[str, Any] = {"position": (0, 0, 1), "velocity": (0, 0, 0), "friction": 0.2, "interval": 0.01, "count": 3}
     with pytest.raises(carom.CaromError) as error:
         carom.tosses(CUBE, **good | {"position": [(0, 0, 1)] * 2, "velocity": [(0, 0, 0)] * 3, "spin": (1, 2), "interval": 0})
-    assert sorted(problem.path for problem in error.value.problems) == ["", "interval", "spin"]
+    assert sorted(problem.path for problem in error.value.problems) == ["interval", "rows", "spin"]
+    with pytest.raises(carom.CaromError, match="interval: expected a finite number"):
+        carom.tosses(CUBE, **good | {"interval": "0.1 s"})
     with pytest.raises(carom.CaromError) as error:
         carom.tosses(CUBE, **good | {"position": [(0, 0, 1), (0, np.nan, 1)], "friction": [0.1, -1], "restitution": 2})
     assert [(problem.path, problem.message.split(":")[0]) for problem in error.value.problems] == [
@@ -102,6 +104,9 @@ def test_data_are_brought_once_and_checked(tmp_path: Path, monkeypatch: pytest.M
     assert carom.data.fetch("cube-tosses", tmp_path / "good", archive=tmp_path / "none") == place
     with pytest.raises(carom.CaromError, match="cannot be brought"):
         carom.data.fetch("cube-tosses", tmp_path / "other", archive=tmp_path / "none")
+    archive.write_bytes(content.getvalue()[:-400])
+    with pytest.raises(carom.CaromError, match="cannot be brought"):
+        carom.data.fetch("cube-tosses", tmp_path / "cut", archive=archive)
     with pytest.raises(carom.CaromError, match="is none of"):
         carom.data.fetch("dice", tmp_path)  # type: ignore[arg-type]
 
@@ -176,6 +181,10 @@ def test_what_is_wrong_with_a_fit_is_told() -> None:
     seen = struck(3, 1, 0.0)
     with pytest.raises(carom.CaromError, match="'colour': a feature is one of incidence"):
         fit_impacts(seen, friction_by=["colour"])  # type: ignore[list-item]
+    with pytest.raises(carom.CaromError, match="named twice"):
+        fit_impacts(seen, friction_by=["slip", "slip"])
+    with pytest.raises(carom.CaromError, match="must be above 0"):
+        MeasuredImpacts(-1.0, 1.0, seen.arm, seen.velocity, seen.spin, seen.velocity, seen.spin, seen.normal)
     with pytest.raises(carom.CaromError, match="too few"):
         fit_impacts(seen[:1])
     with pytest.raises(carom.CaromError, match="not between 0 and 1"):
@@ -186,6 +195,44 @@ def test_what_is_wrong_with_a_fit_is_told() -> None:
         MeasuredTosses(CUBE, 0.1, 0.01, [np.zeros((3, 12))])
     with pytest.raises(carom.CaromError, match="ranges of friction"):
         fit_tosses(carom.data.cube_tosses(EXCERPT), friction=(0.5, 0.1))
+
+
+@pytest.mark.parametrize("truth", [(0.02, 0.98), (0.05, 0.95), (0.0, 0.0), (0.4, 1.0)])
+def test_the_ends_of_what_may_be_are_found(truth: tuple[float, float]) -> None:
+    fit = fit_impacts(struck(60, 5, 0.0, *truth))
+    assert [one.best for one in fit.parameters] == pytest.approx(list(truth), abs=2e-3) and fit.error < 1e-3
+    friction, restitution = fit.parameters
+    assert friction.low >= 0 and 0 <= restitution.low <= restitution.high <= 1
+
+
+def test_where_nothing_strikes_nothing_is_told() -> None:
+    seen = struck(40, 5, 0.0)
+    parting = MeasuredImpacts(seen.mass, seen.inertia, seen.arm, -seen.velocity, -0 * seen.spin, -seen.velocity, -0 * seen.spin, seen.normal)
+    fit = fit_impacts(parting)
+    assert [(one.low, one.high) for one in fit.parameters] == [(0.0, np.inf), (0.0, 1.0)]
+
+
+def test_a_toss_is_followed_as_long_as_it_is_looked_at() -> None:
+    sliding = carom.tosses(CUBE | {"time": "1 s"}, position=(0, 0, 0.05005), velocity=(5, 0, 0), friction=0, interval=10, count=6)
+    assert sliding.position[0, :, 0] == pytest.approx([0, 50, 100, 150, 200, 250])
+    still = carom.tosses(CUBE, position=(0, 0, 1), velocity=(0, 0, 0), friction=0.2, interval=1e-7, count=2)
+    assert still.position[0, 1, 2] == pytest.approx(1.0, abs=1e-12)
+    with pytest.raises(carom.CaromError, match="too many for one call"):
+        carom.tosses(CUBE, position=np.tile([0, 0, 1.0], (100_000, 1)), velocity=(0, 0, 0), friction=0.2, interval=0.1, count=1_000_000)
+
+
+def test_tosses_that_are_lost_are_told() -> None:
+    tosses = carom.data.cube_tosses(EXCERPT)
+    sunk = [states.copy() for states in tosses.states]
+    sunk[1][:, 2] -= 0.2
+    bad = MeasuredTosses(tosses.body, tosses.size, tosses.interval, sunk)
+    assert "(1 of 3 could not be followed)" in str(bad.errors(0.18, 0.125))
+    with pytest.raises(carom.CaromError, match=r"tosses \[1\] cannot be followed"):
+        fit_tosses(bad)
+    with pytest.raises(carom.CaromError, match="a pose is expected"):
+        tosses.errors_of([states[:1, :3] for states in tosses.states], [states[:1, 3:7] for states in tosses.states])
+    with pytest.raises(carom.CaromError, match="no unit quaternions"):
+        MeasuredTosses(tosses.body, tosses.size, tosses.interval, [states * 0.9 for states in tosses.states])
 
 
 def test_friction_and_restitution_of_tosses_are_found() -> None:

@@ -68,7 +68,13 @@ def test_rows_of_a_fit_come_in_many_ways(tmp_path: Path) -> None:
     fits = [carom.fit(CASE, rows, over=over) for rows in frames]
     assert {fit.observed_drops for fit in fits} == {9}
     assert len({fit.parameters[0].high for fit in fits}) == 1
-    assert carom.fit(CASE, seen, over=["contact.restitution=0..0.5"]).parameters == fits[0].parameters
+    for same in (["contact.restitution=0..0.5"], ("contact.restitution", "0", "0.5"), [over]):
+        assert carom.fit(CASE, seen, over=same).parameters == fits[0].parameters
+    # Beside a missing value a frame's whole numbers are floats.
+    assert carom.fit(CASE, seen | {"drops": [4.0, 5.0]}, over=over).observed_drops == 9
+    for wrong, why in (({"over": 5}, "over: expected"), ({"level": "high"}, "level: expected")):
+        with pytest.raises(carom.CaromError, match=why):
+            carom.fit(CASE, seen, **wrong)
 
 
 def test_what_is_wrong_with_rows_is_told() -> None:

@@ -94,6 +94,14 @@ impl<'s> Folder<'s> {
         self.locks.into_iter().for_each(Lock::release);
     }
 
+    /// How who asks takes another folder.
+    fn another(&self) -> &'static str {
+        match self.asker {
+            Asker::Command => "name another folder with --out",
+            Asker::Call => "name another folder",
+        }
+    }
+
     /// The files of the folder, by name.
     fn files(&self) -> Result<Vec<(String, PathBuf)>, StudyError> {
         disk::list(&self.path).map_err(|error| disk::undone("read", &self.path, &error))
@@ -142,8 +150,8 @@ impl<'s> Folder<'s> {
         };
         let folder = self.path.display();
         let refused = |why: &str| {
-            let [out, force] = ["out", "force"].map(|option| self.asker.option(option));
-            let what = format!("{folder} {why}: name another folder with {out}, or replace it with {force}");
+            let (another, force) = (self.another(), self.asker.option("force"));
+            let what = format!("{folder} {why}: {another}, or replace it with {force}");
             Err(StudyError::Asked(what))
         };
         match known {
@@ -266,9 +274,9 @@ impl<'s> Folder<'s> {
                 Ok(None)
             }
             Held::Foreign => Err(StudyError::Asked(format!(
-                "{} is of another sweep: remove it, name another folder with {}, or replace all with {}",
+                "{} is of another sweep: remove it, {}, or replace all with {}",
                 path.display(),
-                self.asker.option("out"),
+                self.another(),
                 self.asker.option("force")
             ))),
         }

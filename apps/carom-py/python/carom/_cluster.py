@@ -32,10 +32,12 @@ class Cluster:
     def __init__(self, client: Any) -> None:
         self.client = client
         self.begun = time.monotonic()
+        if getattr(client, "status", "running") != "running" or not hasattr(client, "nthreads"):
+            raise CaromError("client: expected a client of a Dask cluster that is running")
         try:
             threads = client.nthreads()
         except Exception as error:
-            raise CaromError(f"client: expected a client of a Dask cluster: {type(error).__name__}: {error}") from error
+            raise CaromError(f"client: expected a client of a Dask cluster that is running: {type(error).__name__}: {error}") from error
         if not threads:
             raise CaromError("client: the cluster has no workers")
         self.threads = sum(threads.values())

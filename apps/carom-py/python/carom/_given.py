@@ -6,6 +6,7 @@ import json
 import math
 import operator
 import os
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias
@@ -53,7 +54,7 @@ def as_text(path: str, value: object, unit: str) -> str:
         value = value.item()
     if isinstance(value, str) and value.strip():
         return value
-    if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
+    if isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < math.inf and abs(value) <= sys.float_info.max:
         return f"{float(value)!r} {unit}".strip()
     message = f"{path}: expected a finite number, or a text with a unit, not {value!r}"
     raise CaromError(message, [Problem(message, kind="wrong_value", path=path)])
@@ -102,6 +103,17 @@ def read(given: FileLike, name: str) -> tuple[str, str, bool]:
             why = "there is no such file" if isinstance(error, FileNotFoundError) else str(error)
             raise CaromError(f"{path}: {why}", [Problem(why, kind="file")]) from error
     return name, os.fspath(given), False
+
+
+def number(name: str, value: object) -> float:
+    """A finite number."""
+    try:
+        found = float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        found = math.nan
+    if isinstance(value, str) or not math.isfinite(found):
+        raise CaromError(f"{name}: expected a finite number, not {value!r}", [Problem("is no finite number", kind="wrong_value", path=name, value=repr(value)[:200])])
+    return found
 
 
 def within(name: str, value: int, low: int, high: int) -> int:

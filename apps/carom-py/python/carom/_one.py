@@ -149,6 +149,8 @@ def _yield_of(
 ) -> tuple[str, dict[str, str]]:
     """A yield that a cluster counts."""
     cluster = Cluster(client)
+    # A portion of nothing: what is wrong with what is asked is told here, not by every worker.
+    _carom.yield_portion(scene, asks, False, (0, (1 << 32) - 1))
     work = partial(_yield_portion, Scene._of(scene), asks)
     counted = cluster.each(partial(work, False), hear)
     answer = _carom.yield_joined(scene, counted, None, (cluster.seconds, cluster.threads))

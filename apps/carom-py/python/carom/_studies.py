@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 
 from carom import _carom
-from carom._given import FileLike, Frame, Values, as_text, mapping, read, table_of, within
+from carom._given import FileLike, Frame, Values, as_text, mapping, number, read, table_of, within
 from carom._progress import Progress, Told
 from carom.answers.feed import Feed
 from carom.answers.fit import Fit
@@ -65,7 +65,7 @@ def map(
     ['same side', 'turned']
     """
     inner = scene_of(scene, set)
-    asks = {"x": _axis("x", x), "y": _axis("y", y), "plate": _plate(plate), "accuracy": float(accuracy), "depth": within("depth", depth, 0, 8)}
+    asks = {"x": _axis("x", x), "y": _axis("y", y), "plate": _plate(plate), "accuracy": number("accuracy", accuracy), "depth": within("depth", depth, 0, 8)}
     with Told(progress) as hear:
         text, files, tables = _carom.map(inner, asks, hear)
     return Map._of((text, files), "map.json", tables)
@@ -101,7 +101,7 @@ def regions(
         "set": values,
         "x": None if x is None else _axis("x", x),
         "y": None if y is None else _axis("y", y),
-        "elastic": None if elastic is None else float(elastic),
+        "elastic": None if elastic is None else number("elastic", elastic),
         "depth": within("depth", depth, 0, 8),
     }
     with Told(progress) as hear:
@@ -132,7 +132,7 @@ def feed(
     """
     parts = None if parts is None else within("parts", parts, 0, 1 << 31)
     with Told(progress) as hear:
-        answer = _carom.feed(scene_of(scene, set), parts, within("intervals", intervals, 0, 1 << 31), float(accuracy), hear)
+        answer = _carom.feed(scene_of(scene, set), parts, within("intervals", intervals, 0, 1 << 31), number("accuracy", accuracy), hear)
     return Feed._of(answer, "feed.json")
 
 
@@ -167,10 +167,14 @@ def fit(
     (9, 'contact.restitution')
     """
     inner = scene_of(scene, set)
-    ranges = [over] if isinstance(over, str) or (over and isinstance(over[0], str) and not isinstance(over[-1], str | tuple)) else over
+    # One range alone: a text, or a tuple that begins with a path and no range.
+    alone = isinstance(over, str) or (isinstance(over, tuple) and len(over) > 2 and isinstance(over[0], str) and "=" not in over[0])
+    if not isinstance(over, str | Sequence):
+        raise CaromError(f"over: expected ranges, not {over!r}")
+    ranges = [over] if alone else over
     asks = {
         "over": [_axis("over", one) for one in ranges],
-        "level": float(level),
+        "level": number("level", level),
         "scatter": None if scatter is None else as_text("scatter", scatter, "s"),
         "samples": within("samples", samples, 16, 1 << 20),
         "nodes": within("nodes", nodes, 100, 1 << 20),
@@ -196,6 +200,7 @@ def _rows(runs: Runs) -> tuple[str, str]:
         if not isinstance(runs, str | os.PathLike):
             raise CaromError(f"runs: expected a file, a text or columns, not {type(runs).__name__}")
         return os.fspath(runs), _text(Path(runs))
+    columns = {name: np.atleast_1d(np.asarray(values, dtype=object)) for name, values in columns.items()}
     lengths = {name: len(values) for name, values in columns.items()}
     if len(np.unique(list(lengths.values()))) > 1:
         raise CaromError(f"runs: columns of one length are needed, not {lengths}")
@@ -210,7 +215,10 @@ def _cell(value: object) -> str:
     """A value of a table; what is missing was not looked at."""
     if isinstance(value, np.generic):
         value = value.item()
-    return "" if value is None or value != value else repr(value) if isinstance(value, float) else str(value)
+    if value is None or value != value:
+        return ""
+    # Whole numbers beside a missing one are floats in a frame.
+    return repr(int(value) if value.is_integer() else value) if isinstance(value, float) else str(value)
 
 
 def _text(path: Path) -> str:

@@ -20,6 +20,9 @@ from carom.scene import Scene, SceneLike, scene_of
 #: command takes it, ``["contact.friction=0..0.3:31"]``. Or a file in CSV: its first line names quantities, each other one is a design.
 Designs: TypeAlias = Mapping[str, tuple[float | str, float | str, int]] | Sequence[str] | str | os.PathLike[str]
 
+#: A number of shards of which the last has no step: there are no more designs.
+NO_STEPS = 1 << 60
+
 
 def sweep(
     scene: SceneLike,
@@ -54,6 +57,8 @@ def sweep(
     """
     inner = scene_of(scene, set)
     asks = _asks(designs, plate, force)
+    if not isinstance(folder, str | os.PathLike) or not os.fspath(folder):
+        raise CaromError(f"folder: expected the name of a folder, not {folder!r}")
     place = os.fspath(folder)
     with Told(progress) as hear:
         if client is None:
@@ -63,6 +68,8 @@ def sweep(
         if force:
             raise CaromError("force: other workers may be at work; remove the folder, or name another")
         cluster = Cluster(client)
+        # A shard of no steps: what is wrong with what is asked is told here, not by every worker.
+        _swept(inner, place, asks | {"shard": f"{NO_STEPS}/{NO_STEPS}"}, None)
         drops = sum(cluster.each(partial(_portion, Scene._of(inner), place, asks), hear))
         # All is there: what is left is to look at it.
         return _swept(inner, place, asks | {"shard": "1/1", "before": (drops, cluster.seconds, cluster.threads)}, None)
@@ -70,8 +77,12 @@ def sweep(
 
 def _asks(designs: Designs, plate: str | int | None, force: bool) -> dict[str, Any]:
     asks: dict[str, Any] = {"list": None, "grid": [], "plate": None if plate is None else str(plate), "force": bool(force), "before": None}
+    if isinstance(designs, str) and "=" in designs and not os.path.exists(designs):
+        return asks | {"grid": [designs]}
     if isinstance(designs, str | os.PathLike):
         return asks | {"list": os.fspath(designs)}
+    if not isinstance(designs, Mapping | Sequence):
+        raise CaromError(f"designs: expected a grid or a file, not {designs!r}")
     if not isinstance(designs, Mapping):
         return asks | {"grid": [str(one) for one in designs]}
     wrong = [path for path, one in designs.items() if not isinstance(one, tuple | list) or len(one) != 3]

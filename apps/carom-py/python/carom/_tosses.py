@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom import _carom
-from carom._given import FileLike, read, within
+from carom._given import FileLike, number, read, within
 from carom._progress import Progress, Told
 from carom.errors import CaromError, Problem
 
@@ -51,7 +51,7 @@ def tosses(
     ``body`` is a file, a text or a dictionary with the keys of ``carom roll body`` (``box``, ``vertices``, ``mass``, ``inertia``, ``gravity``); how it starts
     stands in the arrays: ``position`` of the mass centre [m] and its ``velocity`` [m/s] in world axes, ``attitude`` as a quaternion (w, x, y, z), ``spin``
     [rad/s] in the body's axes, one row a toss or one for all; ``friction`` and ``restitution`` likewise. Each is looked at ``count`` times, every
-    ``interval`` [s], the first time at its start. A body that rests stays where it is. A toss that cannot be followed has NaN.
+    ``interval`` [s], the first time at its start. A body that rests stays where it is. From where a toss cannot be followed any further, it has NaN.
 
     Raises :class:`CaromError` that names rows and columns; KeyboardInterrupt within a moment of ctrl-C.
 
@@ -66,8 +66,11 @@ def tosses(
     contacts = [_rows(name, value, 1, problems)[:, 0] for name, value in (("friction", friction), ("restitution", restitution))]
     lengths = {len(one) for one in parts + contacts} - {1}
     if len(lengths) > 1:
-        problems.append(Problem(f"have {sorted(lengths)} rows: one number of rows, or one row for all", kind="conflict"))
-    if not (np.isfinite(interval) and interval > 0):
+        names = [*START, "friction", "restitution"]
+        told = ", ".join(f"{name} {len(one)}" for name, one in zip(names, parts + contacts, strict=True))
+        problems.append(Problem(f"one number of rows is expected, or one row for all, not {told}", kind="conflict", path="rows"))
+    interval = number("interval", interval)
+    if not interval > 0:
         problems.append(Problem(f"{interval!r} is no interval: a time above 0 s", kind="out_of_range", path="interval"))
     if problems:
         raise CaromError("\n".join(f"tosses: {one.path}: {one.message}" for one in problems), problems)

@@ -12,6 +12,7 @@ import pickle
 import struct
 import tarfile
 import urllib.request
+import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -69,11 +70,16 @@ HALF_CUBE = 0.0524
 CUBE_RATE = 148.0
 
 
+def _taken(name: str, prefix: str) -> bool:
+    """Of a set whose prefix is a folder all that is in it, else the one file."""
+    return name.startswith(prefix) if prefix.endswith("/") else name == prefix
+
+
 def digest(folder: Path, prefix: str) -> str:
     """The SHA-256 of all files of a folder whose names begin so: name, length and bytes of each, in the order of their names."""
     found = hashlib.sha256()
     names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
-    for name in (name for name in names if name.startswith(prefix)):
+    for name in (name for name in names if _taken(name, prefix)):
         content = (folder / name).read_bytes()
         found.update(f"{name}\0{len(content)}\0".encode() + content)
     return found.hexdigest()
@@ -97,10 +103,10 @@ def fetch(name: Literal["cube-tosses", "planar-ellipse"], folder: str | os.PathL
             for member in files.getmembers():
                 # The first folder of the archive is named after its state.
                 inside = member.name.split("/", 1)[-1]
-                if member.isfile() and inside.startswith(known.prefix) and ".." not in inside.split("/"):
+                if member.isfile() and _taken(inside, known.prefix) and ".." not in inside.split("/"):
                     (place / inside).parent.mkdir(parents=True, exist_ok=True)
                     (place / inside).write_bytes(_content(files, member))
-    except (OSError, tarfile.TarError) as error:
+    except (OSError, EOFError, zlib.error, tarfile.TarError) as error:
         raise CaromError(f"{name}: cannot be brought from {archive or known.archive}: {error}") from error
     if digest(place, known.prefix) != known.sha256:
         raise CaromError(f"{name}: what is in {place} is not what was published; remove it and fetch it again")
@@ -121,7 +127,7 @@ def _downloaded(address: str) -> bytes:
 def cube_tosses(folder: str | os.PathLike[str]) -> MeasuredTosses:
     """The tosses of the cube in a folder that :func:`fetch` returned: mass, inertia and size as published."""
     place = Path(folder) / "data/tosses_processed"
-    files = sorted(place.glob("*.pt"), key=lambda path: int(path.stem))
+    files = sorted((path for path in place.glob("*.pt") if path.stem.isdigit()), key=lambda path: int(path.stem))
     if not files:
         raise CaromError(f"{place}: there are no tosses")
     states = [_si(_tensor(file)) for file in files]
@@ -160,7 +166,7 @@ def _tensor(path: Path) -> Array:
     with path.open("rb") as file:
         try:
             return _numbers(file)
-        except (pickle.UnpicklingError, EOFError, ValueError, KeyError, IndexError, TypeError, struct.error) as error:
+        except (pickle.UnpicklingError, EOFError, ValueError, KeyError, IndexError, TypeError, AttributeError, OverflowError, MemoryError, struct.error) as error:
             raise CaromError(f"{path}: is no tensor of doubles: {error}") from error
 
 
@@ -188,6 +194,8 @@ def planar_ellipse(folder: str | os.PathLike[str]) -> MeasuredImpacts:
     from scipy.io import loadmat
 
     path = Path(folder) / "processed_data/data_ellipse.mat"
+    if not path.is_file():
+        raise CaromError(f"{path}: there is no such file")
     try:
         data = loadmat(path)["data"][0, 0]
     except (OSError, KeyError, ValueError) as error:

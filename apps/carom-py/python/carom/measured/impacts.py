@@ -45,12 +45,24 @@ class MeasuredImpacts:
     """Out of the obstacle, unit, shape (n, 2)."""
 
     def __post_init__(self) -> None:
+        for one in fields(self):
+            try:
+                value = np.asarray(getattr(self, one.name), dtype=float)
+            except (TypeError, ValueError) as error:
+                raise CaromError(f"{one.name}: {error}") from None
+            object.__setattr__(self, one.name, float(value) if value.ndim == 0 and one.name in ("mass", "inertia") else value)
+        if np.ndim(self.spin) != 1:
+            raise CaromError(f"spin has the shape {np.shape(self.spin)}, not one number a row")
         shapes = {one.name: np.shape(getattr(self, one.name)) for one in fields(self)}
         rows = len(self.spin)
         wrong = [f"{name} has the shape {shape}" for name, shape in shapes.items() if shape != self._shape(name, rows)]
         bad = [name for name in shapes if not np.all(np.isfinite(getattr(self, name)))]
         if wrong or bad or rows == 0:
             raise CaromError("; ".join([*wrong, *(f"{name} holds what is no number" for name in bad)]) or "there are no impacts")
+        if not (self.mass > 0 and self.inertia > 0):
+            raise CaromError(f"mass {self.mass} and inertia {self.inertia} must be above 0")
+        if not np.all(np.any(self.velocity != 0, axis=1) | (self.spin != 0)):
+            raise CaromError("velocity: an impact of a body that does not move has no error as a share of the motion before")
 
     @staticmethod
     def _shape(name: str, rows: int) -> tuple[int, ...]:
@@ -60,6 +72,7 @@ class MeasuredImpacts:
         return len(self.spin)
 
     def __getitem__(self, which: Any) -> MeasuredImpacts:
+        which = np.atleast_1d(np.arange(len(self))[which])
         chosen = {one.name: getattr(self, one.name)[which] for one in fields(self) if one.name not in ("mass", "inertia")}
         return replace(self, **chosen)
 
@@ -141,18 +154,24 @@ def _contact(impacts: MeasuredImpacts, x: Array, by: tuple[Sequence[Feature], Se
     return np.maximum(friction, 0.0), np.clip(restitution, 0.0, 1.0)
 
 
+def _features(given: Sequence[Feature] | Feature) -> tuple[Feature, ...]:
+    """Features as they are given: one alone, or several."""
+    return (given,) if isinstance(given, str) else tuple(given)
+
+
 def fit_impacts(
     impacts: MeasuredImpacts,
     *,
-    friction_by: Sequence[Feature] = (),
-    restitution_by: Sequence[Feature] = (),
+    friction_by: Sequence[Feature] | Feature = (),
+    restitution_by: Sequence[Feature] | Feature = (),
     law: Literal["poisson", "stronge", "newton"] = "poisson",
     level: float = 0.95,
 ) -> ImpactFit:
     """Which friction and restitution agree with measured impacts: constants, or linear in what the motion before says (:data:`FEATURES`).
 
     Least squares of :meth:`MeasuredImpacts.differences`, as if all of them had one normal scatter that is not known; the interval of a parameter is where
-    −2 ln of its profile likelihood rises no more than χ² allows.
+    −2 ln of its profile likelihood rises no more than χ² allows, cut at what friction and restitution may be. An interval that is all of that says that the impacts
+    tell nothing of the parameter.
 
     Raises :class:`CaromError` where a feature is none, a level is none, SciPy is not there, or fewer rows are given than parameters.
 
@@ -169,7 +188,10 @@ def fit_impacts(
     >>> [round(one.best, 3) for one in fit.parameters]
     [0.2, 0.6]
     """
-    by = (tuple(friction_by), tuple(restitution_by))
+    by = (_features(friction_by), _features(restitution_by))
+    twice = [name for features in by for name in features if features.count(name) > 1]
+    if twice:
+        raise CaromError(f"{twice[0]!r} is named twice: its two parameters could not be told apart")
     wrong = [name for features in by for name in features if name not in FEATURES]
     if wrong:
         raise CaromError(f"{', '.join(map(repr, wrong))}: a feature is one of {', '.join(FEATURES)}")
@@ -182,9 +204,12 @@ def fit_impacts(
     def residuals(x: Array) -> NDArray[np.float64]:
         return impacts.differences(*_contact(impacts, x, by, middle), law).ravel()
 
-    start = np.array([0.3, 0.5, *[0.0] * len(spread)])
+    rest = [0.0] * len(spread)
+    starts = [np.array([friction, restitution, *rest]) for friction in (0.03, 0.3, 0.9) for restitution in (0.1, 0.5, 0.9)]
     scale = np.array([0.3, 0.3, *(0.1 / one for one in spread)])
-    least = Least(residuals, start, scale)
+    free = np.full(len(spread), np.inf)
+    bounds = (np.array([0.0, 0.0, *-free]), np.array([np.inf, 1.0, *free]))
+    least = Least(residuals, starts, scale, bounds)
     parameters = [Fitted(name, float(least.best[k]), *least.interval(k, level)) for k, name in enumerate(names)]
     error = float(np.linalg.norm(least.residuals(least.best).reshape(-1, 3), axis=1).mean())
     return ImpactFit(parameters, level, error, law, *by, middle)

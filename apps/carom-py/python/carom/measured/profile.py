@@ -55,9 +55,10 @@ def threshold(level: float) -> float:
 class Least:
     """Residuals whose squares are least somewhere; their scatter is not known."""
 
-    def __init__(self, residuals: Callable[[Array], Array], start: Array, scale: Array) -> None:
-        self.residuals, self.scale = residuals, scale
-        self.best = self._solved(start, None, 0.0)
+    def __init__(self, residuals: Callable[[Array], Array], starts: list[Array], scale: Array, bounds: tuple[Array, Array]) -> None:
+        self.residuals, self.scale, self.bounds = residuals, scale, bounds
+        # Where a contact begins to stick the residuals have kinks, and minima beside the least one.
+        self.best = min((self._solved(start, None, 0.0) for start in starts), key=self._squares)
         self.squares = self._squares(self.best)
 
     def _squares(self, x: Array) -> float:
@@ -79,11 +80,12 @@ class Least:
             return whole(np.empty(0))
         # Steps of the differences are far above the kinks where a contact begins to stick, far below what is looked for.
         solve: Any = optimizer().least_squares
-        found = solve(lambda part: self.residuals(whole(part)), x[free], x_scale=self.scale[free], diff_step=1e-4, max_nfev=60)
+        low, high = (bound[free] for bound in self.bounds)
+        found = solve(lambda part: self.residuals(whole(part)), x[free], x_scale=self.scale[free], diff_step=1e-4, max_nfev=60, bounds=(low, high))
         return whole(found.x)
 
     def interval(self, k: int, level: float) -> tuple[float, float]:
-        """Where −2 ln of the profile likelihood rises no further than the level allows."""
+        """Where −2 ln of the profile likelihood rises no further than the level allows, within what the parameter may be."""
         count = len(self.residuals(self.best))
         allowed = self.squares * float(np.exp(threshold(level) / count))
         low, high = (self._end(k, sign, allowed) for sign in (-1.0, 1.0))
@@ -91,11 +93,14 @@ class Least:
 
     def _end(self, k: int, sign: float, allowed: float) -> float:
         inside, step, x = float(self.best[k]), 0.02 * float(self.scale[k]), self.best
+        bound = float(self.bounds[0 if sign < 0 else 1][k])
         for _ in range(MOST_STEPS):
-            outside = inside + sign * step
+            outside = max(inside - step, bound) if sign < 0 else min(inside + step, bound)
             x = self._solved(x, k, outside)
             if self._squares(x) > allowed:
                 break
+            if outside == bound:
+                return bound
             inside, step = outside, 1.6 * step
         else:
             return sign * np.inf

@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from carom._progress import Progress, Told
 from carom._tosses import tosses as followed
 from carom.errors import CaromError
 from carom.measured.profile import Array, Fitted, threshold
@@ -33,17 +34,23 @@ class MeasuredTosses:
 
     def __post_init__(self) -> None:
         wrong = [k for k, one in enumerate(self.states) if np.ndim(one) != 2 or np.shape(one)[1] != 13 or not np.all(np.isfinite(one))]
+        wrong += [k for k, one in enumerate(self.states) if k not in wrong and not len(one)]
         if wrong or not len(self.states):
             raise CaromError(f"tosses {wrong}: rows of 13 numbers are expected" if wrong else "there are no tosses")
+        turned = [k for k, one in enumerate(self.states) if np.any(np.abs(np.linalg.norm(np.asarray(one)[:, 3:7], axis=1) - 1) > 1e-3)]
+        if turned:
+            raise CaromError(f"tosses {turned}: attitudes are no unit quaternions")
+        if not (self.size > 0 and self.interval > 0):
+            raise CaromError(f"size {self.size} and interval {self.interval} must be above 0")
 
     def __len__(self) -> int:
         return len(self.states)
 
     def __getitem__(self, which: Any) -> MeasuredTosses:
-        return replace(self, states=[self.states[k] for k in np.arange(len(self))[which]])
+        return replace(self, states=[self.states[k] for k in np.atleast_1d(np.arange(len(self))[which])])
 
     def errors(
-        self, friction: float, restitution: float, *, law: Literal["poisson", "stronge"] = "poisson", progress: Callable[[int, int | None], object] | bool | None = None
+        self, friction: float, restitution: float, *, law: Literal["poisson", "stronge"] = "poisson", progress: Progress = None
     ) -> TossErrors:
         """How far the engine's motion is from each measured one, from its first state on."""
         start = np.array([one[0] for one in self.states])
@@ -56,11 +63,15 @@ class MeasuredTosses:
 
     def errors_of(self, positions: Sequence[Array], attitudes: Sequence[Array]) -> TossErrors:
         """How far predicted motions are from the measured ones: whoever predicted them. A toss without a prediction has NaN."""
+        short = [k for k, seen in enumerate(self.states) if k >= len(positions) or k >= len(attitudes) or min(len(positions[k]), len(attitudes[k])) < len(seen)]
+        if short or len(positions) != len(self) or len(attitudes) != len(self):
+            raise CaromError(f"tosses {short}: a pose is expected for each that was measured, and a motion for each of {len(self)} tosses")
         position, rotation = [], []
         for seen, places, turns in zip(self.states, positions, attitudes, strict=True):
             count = len(seen)
             position.append(np.linalg.norm(places[:count] - seen[:, :3], axis=1).mean() / self.size)
-            cosine = np.abs((turns[:count] * seen[:, 3:7]).sum(axis=1)).clip(0.0, 1.0)
+            lengths = np.linalg.norm(turns[:count], axis=1) * np.linalg.norm(seen[:, 3:7], axis=1)
+            cosine = (np.abs((turns[:count] * seen[:, 3:7]).sum(axis=1)) / lengths).clip(0.0, 1.0)
             rotation.append(np.degrees(2 * np.arccos(cosine)).mean())
         return TossErrors(np.array(position), np.array(rotation))
 
@@ -76,7 +87,11 @@ class TossErrors:
 
     def __str__(self) -> str:
         position, rotation = 100 * self.position, self.rotation
-        return f"position {np.nanmean(position):.1f} ± {np.nanstd(position):.1f} %, rotation {np.nanmean(rotation):.1f} ± {np.nanstd(rotation):.1f}°"
+        lost = int(np.isnan(position).sum())
+        if lost == len(position):
+            return f"none of {lost} tosses could be followed"
+        told = f"position {np.nanmean(position):.1f} ± {np.nanstd(position):.1f} %, rotation {np.nanmean(rotation):.1f} ± {np.nanstd(rotation):.1f}°"
+        return told + (f" ({lost} of {len(position)} could not be followed)" if lost else "")
 
 
 @dataclass(frozen=True)
@@ -108,7 +123,7 @@ def fit_tosses(
     restitution: tuple[float, float] = (0.0, 0.6),
     law: Literal["poisson", "stronge"] = "poisson",
     level: float = 0.95,
-    progress: Callable[[int, int | None], object] | None = None,
+    progress: Progress = None,
 ) -> TossFit:
     """Which friction and restitution agree with measured tosses, within these ranges.
 
@@ -118,27 +133,37 @@ def fit_tosses(
 
     ``progress`` hears how many points are done. Raises :class:`CaromError` where a range or the level is none.
     """
-    ranges = np.array([friction, restitution], dtype=float)
+    try:
+        ranges = np.array([friction, restitution], dtype=float).reshape(2, 2)
+    except (TypeError, ValueError):
+        raise CaromError(f"ranges of friction and restitution are expected, not {friction!r} and {restitution!r}") from None
     if not (np.all(np.isfinite(ranges)) and np.all(ranges[:, 0] < ranges[:, 1]) and np.all(ranges[:, 0] >= 0) and ranges[1, 1] <= 1):
         raise CaromError(f"ranges of friction and restitution are expected, not {friction!r} and {restitution!r}")
     allowed = threshold(level)
     seen: dict[tuple[float, float], float] = {}
+    lost: set[int] = set()
 
-    def look(points: Sequence[Array]) -> None:
+    def look(points: Sequence[Array], hear: Callable[[int, int | None], object] | None) -> None:
         for x in points[0]:
             for y in points[1]:
                 pair = (round(float(x), 9), round(float(y), 9))
                 if pair not in seen:
-                    seen[pair] = float(np.square(tosses.errors(*pair, law=law).position).sum())
-                    if progress is not None:
-                        progress(len(seen), None)
+                    squares = np.square(tosses.errors(*pair, law=law).position)
+                    # A toss that cannot be followed says nothing against the others' constants: the pair is left out.
+                    lost.update(np.flatnonzero(np.isnan(squares)).tolist())
+                    seen[pair] = float(squares.sum()) if not np.isnan(squares).any() else np.inf
+                    if hear is not None:
+                        hear(len(seen), None)
 
-    look([np.linspace(low, high, FIRST) for low, high in ranges])
-    width = (ranges[:, 1] - ranges[:, 0]) / (FIRST - 1)
-    for _ in range(LOOKS):
-        best = np.array(min(seen, key=seen.__getitem__))
-        look([np.clip(np.linspace(b - w, b + w, LATER), low, high) for b, w, (low, high) in zip(best, width, ranges, strict=True)])
-        width = width / 2
+    with Told(progress) as hear:
+        look([np.linspace(low, high, FIRST) for low, high in ranges], hear)
+        if not np.isfinite(min(seen.values())):
+            raise CaromError(f"tosses {sorted(lost)} cannot be followed by the engine: leave them out")
+        width = (ranges[:, 1] - ranges[:, 0]) / (FIRST - 1)
+        for _ in range(LOOKS):
+            best = np.array(min(seen, key=seen.__getitem__))
+            look([np.clip(np.linspace(b - w, b + w, LATER), low, high) for b, w, (low, high) in zip(best, width, ranges, strict=True)], hear)
+            width = width / 2
     best_pair = min(seen, key=seen.__getitem__)
     limit = seen[best_pair] * float(np.exp(allowed / len(tosses)))
     parameters = [Fitted(name, best_pair[k], *_interval(seen, k, best_pair[k], limit)) for k, name in enumerate(("friction", "restitution"))]

@@ -62,7 +62,13 @@ class Assumptions:
     def __init__(self, problem: SymbolicProblem, assume: Sequence[Assumed] = ()) -> None:
         #: As the caller says it.
         self.said = [str(one) for one in assume]
-        self.relations = [*relations(assume, problem.names), *_of_problem(problem)]
+        own = relations(assume, problem.names)
+        known = {symbol.name for symbol in problem.symbols}
+        for one in own:
+            strange = sorted(symbol.name for symbol in one.free_symbols if symbol.name not in known)
+            if strange:
+                raise _problem(str(one), f"{one}: the problem has no {', '.join(strange)}; it has {', '.join(sorted(known))}")
+        self.relations = [*own, *_of_problem(problem)]
         self._ranges: dict[Any, Any] = {}
 
     def range_of(self, angle: Any) -> Any:

@@ -108,11 +108,15 @@ def _by_name(given: HypothesisLike, problem: SymbolicProblem, path: str, problem
         for part in re.split(r"[,;]", given):
             found = _WORDS.match(part)
             if found is None:
-                problems.append(Problem(f"{part.strip()!r} is not a contact's name and what it does", kind="wrong_value", path=f"{path}.*", value=part.strip()))
+                problems.append(Problem(f"{part.strip()!r} is not a contact's name and what it does, like '{names[0]} sticks'", kind="wrong_value", path=f"{path}.*", value=part.strip()))
+            elif found["name"] in words:
+                problems.append(Problem(f"of {found['name']} it is said twice what it does", kind="conflict", path=f"{path}.{found['name']}", value=part.strip()))
             else:
                 words[found["name"]] = found["word"]
-    else:
+    elif isinstance(given, Sequence):
         words = dict(zip(names, given))
+    else:
+        raise CaromError(f"{path}: expected a text like '{names[0]} sticks', a dictionary or a list, not {given!r}")
     for name in words:
         if name not in names:
             problems.append(Problem(f"there is no contact {name}; there are {', '.join(names)}", kind="unknown_key", path=f"{path}.{name}", key=str(name), allowed=names))

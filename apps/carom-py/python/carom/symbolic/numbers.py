@@ -103,7 +103,9 @@ def _decided(derivation: Derivation, given: dict[Any, Array], open_ones: list[An
     # What is zero whatever the numbers are is met, and is no border.
     shares[np.array([not one.number for one in derivation.conditions], dtype=bool)] = np.inf
     least = shares.min(axis=0, initial=np.inf)
-    return least >= -SLACK_TOLERANCE, least, chosen
+    # What is no number holds nowhere.
+    known = np.isfinite(total).all(axis=0)
+    return known & (least >= -SLACK_TOLERANCE), np.where(known, least, np.nan), chosen
 
 
 def _slacks(derivation: Derivation, open_ones: list[Any]) -> tuple[list[Any], list[Any], list[list[Any]]]:
