@@ -22,21 +22,22 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     said(&folder, &program("mypy"), &["python", "tests"])?;
     said(&folder, &python, &["-m", "mypy.stubtest", "carom._carom"])?;
     said(&folder, &program("pyright"), &["--pythonpath", &python.to_string_lossy(), "python"])?;
-    let tests = said(
-        root,
-        &python,
-        &[
-            "-m",
-            "pytest",
-            "-q",
-            "-rP",
-            "-p",
-            "no:cacheprovider",
-            &format!("{PACKAGE}/tests"),
-            &format!("{PACKAGE}/README.md"),
-            "README.md",
-        ],
-    )?;
+    // Derivations take as long as all the others, and a core each.
+    let derived =
+        [format!("{PACKAGE}/tests/test_derive.py"), format!("{PACKAGE}/tests/test_derive_engine.py")];
+    let others: Vec<String> = derived.iter().map(|file| format!("--ignore={file}")).collect();
+    let rest = [format!("{PACKAGE}/tests"), format!("{PACKAGE}/README.md"), "README.md".to_owned()];
+    let tried = |files: &[String]| {
+        let mut words = vec!["-m", "pytest", "-q", "-rP", "-p", "no:cacheprovider"];
+        words.extend(files.iter().map(String::as_str));
+        said(root, &python, &words)
+    };
+    let [derived, tests] = std::thread::scope(|scope| {
+        let derived = scope.spawn(|| tried(&derived));
+        let tests = tried(&[others, rest.to_vec()].concat());
+        [derived.join().unwrap_or_else(|_| Err("the derivations' tests panicked".to_owned())), tests]
+    });
+    let (derived, tests) = (derived?, tests?);
     let docs = said(
         root,
         &python,
@@ -45,8 +46,14 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     let timed = said(root, &python, &[&format!("{PACKAGE}/measure.py")])?;
     let passed = |said: &str| said.lines().rev().find(|line| line.contains(" passed")).map(str::to_owned);
     let measured = tests.lines().chain(timed.lines()).filter_map(|line| line.strip_prefix("measured: "));
-    let counts = [&tests, &docs].map(|said| passed(said).unwrap_or_default());
-    Ok(format!("{}; docs {}\n{}", counts[0], counts[1], measured.collect::<Vec<_>>().join("\n")))
+    let counts = [&tests, &derived, &docs].map(|said| passed(said).unwrap_or_default());
+    Ok(format!(
+        "{}; derivations {}; docs {}\n{}",
+        counts[0],
+        counts[1],
+        counts[2],
+        measured.collect::<Vec<_>>().join("\n")
+    ))
 }
 
 /// A new environment of Python, without what the machine has.

@@ -16,7 +16,7 @@ from carom.measured.impacts import Feature
 
 #: Of the cube, as published with the data.
 FRICTION, RESTITUTION = 0.18, 0.125
-#: What Acosta, Yang and Posa print for these tosses (IEEE RA-L 7 (2022) 6471, arXiv 2110.00541), each engine with constants fitted to them. Their choice of tosses may differ.
+#: What Acosta, Yang and Posa print for these tosses (arXiv 2110.00541, Table II), as others cite it. Their choice of tosses and the engines' settings may differ.
 PUBLISHED = {
     "Drake": "position 13.5 ± 8.2 %, rotation 16.5°",
     "Bullet": "position 14.9 ± 8.9 %, rotation 16.5°",
@@ -50,7 +50,7 @@ def tosses(measured: MeasuredTosses, fitted: bool) -> None:
     for name in installed():
         print(f"  {name}, friction as published with the data: {measured.errors_of(*ENGINES[name](measured, FRICTION))}")
     for name, printed in PUBLISHED.items():
-        print(f"  {name} in print, fitted: {printed}")
+        print(f"  {name} in print: {printed}")
 
 
 def main() -> int:
