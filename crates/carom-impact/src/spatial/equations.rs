@@ -7,7 +7,7 @@ use super::answer::{Freedom, Guess, Member, Mode};
 use super::rate::RateProblem;
 use crate::tolerance::{NO_MOTION, RANK};
 use carom_num::Vec3;
-use carom_num::solve::{Solutions, solve_any, solve_regular};
+use carom_num::solve::{Solutions, Tolerance, solve_regular, solve_rows};
 
 /// Most unknown rates: three for each of eight contacts.
 const MOST: usize = 24;
@@ -36,6 +36,28 @@ pub(super) struct Unknowns {
     of: [(usize, usize); MOST],
 }
 
+/// What a hypothesis demands of its unknowns.
+struct Equations<const M: usize> {
+    matrix: [[f64; M]; M],
+    right: [f64; M],
+    /// The largest sum of magnitudes of which a right side is made.
+    terms: f64,
+}
+
+impl<const M: usize> Equations<M> {
+    /// All solutions of the first n; `None` where the equations contradict each other.
+    ///
+    /// Loads of contacts that lie evenly about the mass centre turn it by nothing but their rounding: what contradicts is measured against the terms of the
+    /// right sides, for these may leave nothing of each other.
+    fn solved(mut self, n: usize) -> Option<Solutions<M>> {
+        self.matrix[..n].iter_mut().for_each(|row| row[n..].fill(0.0));
+        let largest = self.right[..n].iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let contradiction = if largest > 0.0 { RANK * (self.terms / largest).max(1.0) } else { RANK };
+        let tolerance = Tolerance { rank: RANK, contradiction };
+        solve_rows(&mut self.matrix[..n], &mut self.right[..n], n, tolerance)
+    }
+}
+
 impl<const N: usize> Hypothesis<'_, N> {
     /// The rates that the hypothesis demands, the shortest of a family; `None` where its equations contradict each other.
     pub(super) fn rates(&self) -> Option<Found<N>> {
@@ -49,12 +71,12 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 
     fn rates_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<Found<N>> {
-        let (matrix, right) = self.equations::<M>(unknowns);
+        let equations = self.equations::<M>(unknowns);
         let member = Member::Shortest;
-        if let Some(x) = solve_regular(matrix, right, unknowns.count, RANK) {
+        if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
             return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
         }
-        let mut family = solve_any(matrix, right, unknowns.count, RANK)?;
+        let mut family = equations.solved(unknowns.count)?;
         family.shorten();
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
@@ -64,8 +86,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     /// All rates that satisfy the equations, the shortest as the point.
     pub(super) fn family(&self) -> Option<(Solutions<MOST>, Unknowns)> {
         let unknowns = self.unknowns();
-        let (matrix, right) = self.equations::<MOST>(&unknowns);
-        let mut family = solve_any(matrix, right, unknowns.count, RANK)?;
+        let mut family = self.equations::<MOST>(&unknowns).solved(unknowns.count)?;
         family.shorten();
         Some((family, unknowns))
     }
@@ -106,21 +127,25 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 
     /// Both sides of the equations. The right-hand side is minus the drive, and minus the response to the base loads.
-    fn equations<const M: usize>(&self, unknowns: &Unknowns) -> ([[f64; M]; M], [f64; M]) {
-        let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
+    fn equations<const M: usize>(&self, unknowns: &Unknowns) -> Equations<M> {
+        let (mut matrix, mut right, mut terms) = ([[0.0; M]; M], [0.0; M], 0.0f64);
         let pull: [Vec3; N] = std::array::from_fn(|j| self.pull(j));
         let of = &unknowns.of[..unknowns.count];
         for (k, &(i, axis)) in of.iter().enumerate() {
             right[k] = -component(self.problem.drive[i], axis);
+            let mut of_row = right[k].abs();
             for j in (0..self.problem.count).filter(|&j| self.is_loaded(j)) {
-                right[k] -= self.problem.operator[i][j].rows[axis].dot(pull[j]) * self.problem.base(j);
+                let row = self.problem.operator[i][j].rows[axis];
+                right[k] -= row.dot(pull[j]) * self.problem.base(j);
+                of_row += row.norm() * pull[j].norm() * self.problem.base(j).abs();
             }
+            terms = terms.max(of_row);
             for (entry, &(j, by)) in matrix[k].iter_mut().zip(of) {
                 let row = self.problem.operator[i][j].rows[axis];
                 *entry = if by == 2 { row.dot(pull[j]) } else { component(row, by) };
             }
         }
-        (matrix, right)
+        Equations { matrix, right, terms }
     }
 
     /// True where the contact transmits its base load and no more.
