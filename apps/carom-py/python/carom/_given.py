@@ -89,6 +89,15 @@ def as_json(given: Mapping[str, Any]) -> str:
     return json.dumps(plain, allow_nan=False)
 
 
+def text_of(path: str | os.PathLike[str]) -> str:
+    """The text of a file."""
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        why = "there is no such file" if isinstance(error, FileNotFoundError) else str(error)
+        raise CaromError(f"{os.fspath(path)}: {why}", [Problem(why, kind="file")]) from error
+
+
 def read(given: FileLike, name: str) -> tuple[str, str, bool]:
     """Name, text, and whether the text is JSON."""
     if isinstance(given, Mapping):
@@ -96,12 +105,7 @@ def read(given: FileLike, name: str) -> tuple[str, str, bool]:
     if not isinstance(given, str | os.PathLike):
         raise CaromError(f"{name}: expected a file, a text or a dictionary, not {type(given).__name__}")
     if is_path(given):
-        path = os.fspath(given)
-        try:
-            return path, Path(path).read_text(encoding="utf-8"), False
-        except (OSError, UnicodeDecodeError) as error:
-            why = "there is no such file" if isinstance(error, FileNotFoundError) else str(error)
-            raise CaromError(f"{path}: {why}", [Problem(why, kind="file")]) from error
+        return os.fspath(given), text_of(given), False
     return name, os.fspath(given), False
 
 

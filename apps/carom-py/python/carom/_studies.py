@@ -6,13 +6,12 @@ import csv
 import io
 import os
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
 from carom import _carom
-from carom._given import FileLike, Frame, Values, as_text, mapping, number, read, table_of, within
+from carom._given import FileLike, Frame, Values, as_text, mapping, number, read, table_of, text_of, within
 from carom._progress import Progress, Told
 from carom.answers.feed import Feed
 from carom.answers.fit import Fit
@@ -199,7 +198,7 @@ def _rows(runs: Runs) -> tuple[str, str]:
             return "runs", runs
         if not isinstance(runs, str | os.PathLike):
             raise CaromError(f"runs: expected a file, a text or columns, not {type(runs).__name__}")
-        return os.fspath(runs), _text(Path(runs))
+        return os.fspath(runs), text_of(runs)
     columns = {name: np.atleast_1d(np.asarray(values, dtype=object)) for name, values in columns.items()}
     lengths = {name: len(values) for name, values in columns.items()}
     if len(np.unique(list(lengths.values()))) > 1:
@@ -219,10 +218,3 @@ def _cell(value: object) -> str:
         return ""
     # Whole numbers beside a missing one are floats in a frame.
     return repr(int(value) if value.is_integer() else value) if isinstance(value, float) else str(value)
-
-
-def _text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise CaromError(f"{path}: {'there is no such file' if isinstance(error, FileNotFoundError) else error}") from error
