@@ -3,11 +3,11 @@
 use crate::fitting::FitOptions;
 use crate::folder_name::folder_name;
 use crate::helps::{CONTACT_HELP, FEED_HELP, FIT_HELP, IMPACT_HELP, MAP_HELP};
+use crate::referee::{CasesOptions, JUDGE_HELP, JudgeOptions};
 use crate::schema::SchemaOptions;
 use crate::studio::StudioOptions;
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
-use carom::tasks::feeds::INTERVALS;
-use carom::tasks::tolerance::{INTERVAL_ACCURACY, MAP_ACCURACY};
+use carom::tasks::{feeds::INTERVALS, tolerance};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -79,6 +79,11 @@ pub(crate) enum Command {
     /// Compare published results with what the engine computes, entry by entry.
     #[command(after_help = VALIDATE_HELP)]
     Validate(ValidateOptions),
+    /// Cases whose answers are known, for engines to answer: single impacts to drops, one a line.
+    Cases(CasesOptions),
+    /// Judge the answers of other engines to these cases.
+    #[command(after_help = JUDGE_HELP)]
+    Judge(JudgeOptions),
     /// Open the studio in the browser: drag the plates of a feeder and see what the part does.
     Studio(StudioOptions),
     /// Print the JSON Schema of what Carom reads and writes.
@@ -311,7 +316,7 @@ pub(crate) struct MapOptions {
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
     /// How finely boundaries are located, as a share of the axes.
-    #[arg(long, default_value_t = MAP_ACCURACY, value_name = "SHARE")]
+    #[arg(long, default_value_t = tolerance::MAP_ACCURACY, value_name = "SHARE")]
     pub(crate) accuracy: f64,
     /// How often a cell is halved where something in it does not fit.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=8))]
@@ -352,7 +357,7 @@ pub(crate) struct FeedOptions {
     #[arg(long, default_value_t = INTERVALS, value_name = "N")]
     pub(crate) intervals: usize,
     /// How finely changes are located [s].
-    #[arg(long, default_value_t = INTERVAL_ACCURACY, value_name = "SECONDS")]
+    #[arg(long, default_value_t = tolerance::INTERVAL_ACCURACY, value_name = "SECONDS")]
     pub(crate) accuracy: f64,
 }
 

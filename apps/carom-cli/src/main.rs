@@ -27,6 +27,7 @@ mod paper;
 mod pipeline;
 mod printed;
 mod progress;
+mod referee;
 mod regions;
 mod roll;
 mod run;
@@ -126,6 +127,8 @@ fn carry_out(command: Command, output: &Output, out: &mut impl Write) -> Result<
         Command::Sweep(options) => sweep::sweep(&options, output, out),
         Command::Design(options) => design::design(&options, output, out),
         Command::Validate(options) => validate::validate(&options, output, out),
+        Command::Cases(options) => referee::cases(&options, output, out),
+        Command::Judge(options) => referee::judge(&options, output, out),
         Command::Studio(options) => studio::studio(&options, output, out),
         Command::Schema(options) => schema::schema(&options, output, out),
     }

@@ -49,6 +49,12 @@ pub(crate) enum SchemaOf {
     Regions,
     /// The result of `carom validate --format json`.
     Validate,
+    /// A line of `carom cases --format json`.
+    Cases,
+    /// A line of the answers that `carom judge` reads.
+    Answers,
+    /// The result of `carom judge --format json`.
+    Judge,
 }
 
 #[derive(Args, Debug)]
@@ -79,6 +85,9 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Design => ("design", schemas::design()),
         SchemaOf::Regions => ("regions", schemas::regions()),
         SchemaOf::Validate => ("validate", carom_validation::schema()),
+        SchemaOf::Cases => ("cases", carom_referee::case_schema()),
+        SchemaOf::Answers => ("answers", carom_referee::answer_schema()),
+        SchemaOf::Judge => ("judge", carom_referee::judge_schema()),
     };
     let text = format!("{}\n", serde_json::to_string_pretty(&schema)?);
     out.write_all(text.as_bytes())?;

@@ -53,8 +53,12 @@ pub(crate) fn command(words: &[&str], out: &Path) -> Command {
 pub(crate) fn fed(command: &mut Command, input: &str) -> Said {
     let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = piped.spawn().unwrap();
-    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
-    child.wait_with_output().unwrap().into()
+    let mut stdin = child.stdin.take().unwrap();
+    // It answers while it reads: whoever writes everything first would wait for a pipe that is full.
+    std::thread::scope(|scope| {
+        scope.spawn(move || stdin.write_all(input.as_bytes()).unwrap());
+        child.wait_with_output().unwrap().into()
+    })
 }
 
 /// As [`fed`]: the code, and the lines it answers with as JSON.
