@@ -37,9 +37,18 @@ pub(crate) struct JudgeOptions {
     /// Judge by these cases, one JSON object a line, and not by those of `carom cases`.
     #[arg(long, value_name = "FILE")]
     pub(crate) cases: Option<PathBuf>,
+    /// How far an answer may be off and still agree, as a share of the motion before: 0.001 [default: the tolerance of each case].
+    #[arg(long, value_name = "SHARE", value_parser = share)]
+    pub(crate) within: Option<f64>,
     /// Print every case that has an answer.
     #[arg(long)]
     pub(crate) all: bool,
+}
+
+/// A share that an answer may be off.
+fn share(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|share: &f64| (0.0..=1.0).contains(share));
+    number.ok_or_else(|| "a number from 0 to 1 is asked".to_owned())
 }
 
 /// Prints the cases: a table of their groups for a person, one case a line for a program.
@@ -116,7 +125,7 @@ pub(crate) fn judge(options: &JudgeOptions, output: &Output, out: &mut impl Writ
     if answers.is_empty() {
         return Err(Failure::Usage("there is no answer to judge".to_owned()));
     }
-    let report = judged(&cases, &answers);
+    let report = judged(&cases, &answers, options.within);
     let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
     match output.format {
         Format::Text => {

@@ -17,6 +17,8 @@ mod given;
 #[cfg(feature = "python")]
 mod impacts;
 #[cfg(feature = "python")]
+mod referee;
+#[cfg(feature = "python")]
 mod scene;
 #[cfg(feature = "python")]
 mod studies;
@@ -41,6 +43,8 @@ mod _carom {
     use crate::drops::drops;
     #[pymodule_export]
     use crate::impacts::impacts;
+    #[pymodule_export]
+    use crate::referee::{referee_cases, referee_judge};
     #[pymodule_export]
     use crate::scene::Scene;
     #[pymodule_export]

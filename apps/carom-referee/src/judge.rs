@@ -88,7 +88,8 @@ impl Judged {
     }
 }
 
-/// Judges the answers of each engine to all cases; a case without an answer is missing.
+/// Judges the answers of each engine to all cases; a case without an answer is missing. An answer agrees where it is off by no more than the
+/// tolerance of its case, or than `within` where that is given: a share of the motion before.
 ///
 /// # Example
 /// An engine that repeats what is known is right.
@@ -97,29 +98,30 @@ impl Judged {
 /// let cases = cases();
 /// let bodies = serde_json::to_string(&cases[0].expected.answers[0].bodies).unwrap();
 /// let line = format!(r#"{{"case": "{}", "bodies": {bodies}}}"#, cases[0].case);
-/// let report = judge(&cases, &read_answers("mine.jsonl", &line, &cases).unwrap());
+/// let report = judge(&cases, &read_answers("mine.jsonl", &line, &cases).unwrap(), None);
 /// let mine = &report.engines[0];
 /// assert_eq!((mine.engine.as_str(), mine.all.agree, mine.all.missing), ("mine", 1, cases.len() - 1));
 /// ```
-pub fn judge(cases: &[Case], answers: &[Answer]) -> JudgeReport {
+pub fn judge(cases: &[Case], answers: &[Answer], within: Option<f64>) -> JudgeReport {
     let name = |answer: &Answer| answer.engine.clone().unwrap_or_default();
     let engines: BTreeSet<String> = answers.iter().map(name).collect();
     let judged = engines.into_iter().map(|engine| {
         let own = answers.iter().filter(|answer| name(answer) == engine);
         let own: BTreeMap<&str, &Answer> = own.map(|answer| (answer.case.as_str(), answer)).collect();
-        let judged = cases.iter().map(|case| one(case, own.get(case.case.as_str()).copied())).collect();
+        let judged =
+            cases.iter().map(|case| one(case, own.get(case.case.as_str()).copied(), within)).collect();
         (engine, judged)
     });
-    JudgeReport::new(cases, judged.collect())
+    JudgeReport::new(cases, judged.collect(), within)
 }
 
-fn one(case: &Case, answer: Option<&Answer>) -> Judged {
+fn one(case: &Case, answer: Option<&Answer>, within: Option<f64>) -> Judged {
     let Some(answer) = answer else { return Judged::without_answer(case, Verdict::Missing) };
     if answer.refused.is_some() {
         return Judged::without_answer(case, Verdict::Refused);
     }
     match case.impact.as_ref().and_then(Bodies::of) {
-        Some(bodies) => impact(case, &bodies, answer),
+        Some(bodies) => impact(case, &bodies, answer, within.unwrap_or(case.tolerance)),
         None => {
             let known = case.expected.answers.iter().find(|known| known.verdict == answer.verdict);
             let verdict = if known.is_some() { Verdict::Agrees } else { Verdict::Differs };
@@ -129,7 +131,7 @@ fn one(case: &Case, answer: Option<&Answer>) -> Judged {
     }
 }
 
-fn impact(case: &Case, bodies: &Bodies, answer: &Answer) -> Judged {
+fn impact(case: &Case, bodies: &Bodies, answer: &Answer, within: f64) -> Judged {
     let after = answer.bodies();
     let apart = |known: &&Known| bodies.difference(&known.bodies, &after).unwrap_or(f64::INFINITY);
     let nearest_of = |all: &'_ [Known]| {
@@ -139,8 +141,8 @@ fn impact(case: &Case, bodies: &Bodies, answer: &Answer) -> Judged {
     let Some((known, difference)) = nearest_of(&case.expected.answers) else {
         return Judged::without_answer(case, Verdict::Differs);
     };
-    let other = nearest_of(&case.expected.others).filter(|(_, apart)| *apart <= case.tolerance);
-    let (verdict, by) = if difference <= case.tolerance {
+    let other = nearest_of(&case.expected.others).filter(|(_, apart)| *apart <= within);
+    let (verdict, by) = if difference <= within {
         (Verdict::Agrees, known.by.clone())
     } else if let Some((other, _)) = other {
         (Verdict::OtherConvention, other.by)

@@ -13,6 +13,8 @@ use std::fmt::Write as _;
 pub struct JudgeReport {
     /// How many cases there are.
     pub cases: usize,
+    /// How far an answer may be off and still agree, as a share of the motion before; null where the tolerance of each case counts.
+    pub within: Option<f64>,
     /// Each engine, in the order of their names.
     pub engines: Vec<EngineReport>,
 }
@@ -98,7 +100,7 @@ impl GroupReport {
 }
 
 impl JudgeReport {
-    pub(crate) fn new(cases: &[Case], judged: Vec<(String, Vec<Judged>)>) -> Self {
+    pub(crate) fn new(cases: &[Case], judged: Vec<(String, Vec<Judged>)>, within: Option<f64>) -> Self {
         let mut names: Vec<&str> = vec![];
         for case in cases {
             if !names.contains(&case.group.as_str()) {
@@ -114,7 +116,7 @@ impl JudgeReport {
             let (all, groups) = (GroupReport::of("all", &all), names.iter().map(of).collect());
             EngineReport { engine, all, groups, judged }
         });
-        Self { cases: cases.len(), engines: engines.collect() }
+        Self { cases: cases.len(), within, engines: engines.collect() }
     }
 
     /// For a person: each engine's groups as a table, and below it what the columns mean.
@@ -150,12 +152,16 @@ impl JudgeReport {
             let groups = engine.groups.iter().filter(|group| group.cases > group.missing).map(row);
             let _ = writeln!(text, "{}", aligned(&rows.chain(groups).collect::<Vec<_>>()));
         }
-        text.push_str(NOTES);
+        let agree = match self.within {
+            Some(share) => format!("off by {} of the motion at most", shown(share)),
+            None => "off by no more than the tolerance of the case".to_owned(),
+        };
+        let _ = write!(text, "agree: what the law of the case allows, {agree}. {NOTES}");
         text
     }
 }
 
-const NOTES: &str = "agree: what the law of the case allows. other: what another law of restitution, or another convention on sharing, gives.
+const NOTES: &str = "other: what another law of restitution, or another convention on sharing, gives.
 none: refused or missing. gained: more energy after than before.
 difference, restitution, energy, spin: medians of how far answers are from the nearest one that the law allows: the root of the kinetic
 energy of the difference (largest: the worst); restitution seen at the one contact; energy after; spins. Shares of what was before.

@@ -79,7 +79,7 @@ fn the_engine_agrees_with_every_case_and_closed_forms_with_it() {
     let cases = cases();
     let lines: Vec<String> = cases.iter().filter_map(answered).collect();
     let answers = read_answers("engine.jsonl", &lines.join("\n"), &cases).expect("they are answers");
-    let report = judge(&cases, &answers);
+    let report = judge(&cases, &answers, None);
     let [engine] = &report.engines[..] else { panic!("one engine answered") };
     let wrong: Vec<_> = engine.judged.iter().filter(|one| one.verdict == Verdict::Differs).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
@@ -102,7 +102,7 @@ fn answers_of_other_laws_and_conventions_are_told_as_such() {
     let lines: Vec<String> =
         cases.iter().filter_map(|case| Some(line(case, case.expected.others.last()?))).collect();
     let answers = read_answers("others.jsonl", &lines.join("\n"), &cases).expect("they are answers");
-    let report = judge(&cases, &answers);
+    let report = judge(&cases, &answers, None);
     assert_eq!(report.engines[0].all.other_convention, lines.len(), "each follows another law or convention");
     let told = |name: &str| report.engines[0].judged.iter().any(|one| one.nearest.as_deref() == Some(name));
     assert!(told("newton") && told("in sequence"), "and it is named");
