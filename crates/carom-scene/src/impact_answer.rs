@@ -225,6 +225,31 @@ impl ImpactProblem {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn solve(&self) -> ImpactAnswer {
+        let mut answer = self.solve_as_asked();
+        if let (ImpactAnswer::Examined(examined), ImpactContacts::Several(set)) =
+            (&mut answer, &self.contacts)
+            && let Ok(walk) = &examined.walk
+        {
+            examined.shared = self.conventions(set, &walk.outcome);
+        }
+        answer
+    }
+
+    /// As [`Self::solve`], without what the other conventions on sharing say: they take most of the time where several contacts close.
+    ///
+    /// # Example
+    /// Newton's cradle by the convention of its file alone, with the same end.
+    /// ```
+    /// use carom_scene::*;
+    /// let text = std::fs::read_to_string("../../examples/impact_cradle.toml")?;
+    /// let cradle = ImpactProblem::parse("cradle.toml", &text)?;
+    /// let ImpactAnswer::Examined(alone) = cradle.solve_as_asked() else { panic!("two contacts") };
+    /// let ImpactAnswer::Examined(all) = cradle.solve() else { panic!("two contacts") };
+    /// assert_eq!((alone.shared.len(), all.shared.len()), (0, 3));
+    /// assert_eq!(alone.walk, all.walk);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn solve_as_asked(&self) -> ImpactAnswer {
         match &self.contacts {
             ImpactContacts::Several(set) => ImpactAnswer::Examined(Box::new(self.examine(set))),
             ImpactContacts::Many(set) => {
@@ -233,6 +258,7 @@ impl ImpactProblem {
         }
     }
 
+    /// The walk and every end state, by the law and the convention that are asked for.
     fn examine(&self, set: &ContactSet6) -> Examined {
         let mut stages = vec![];
         let walked = match self.sharing {
@@ -251,10 +277,10 @@ impl ImpactProblem {
             let shares = if is_open { share::outcomes(set, self.law).unwrap_or_default() } else { vec![] };
             Walk { outcome, stages, kind, path_dependent, contacts: set.count, compared, shares }
         });
-        let shared = walk.as_ref().map_or(vec![], |walk: &Walk| self.conventions(set, &walk.outcome));
         // What has no answer has no class, and nothing decided it.
         let decided = one.filter(|_| walk.is_ok());
-        Examined { walk, ends, deciders: decided.and_then(|contact| deciders(&contact, self.law)), shared }
+        let deciders = decided.and_then(|contact| deciders(&contact, self.law));
+        Examined { walk, ends, deciders, shared: vec![] }
     }
 
     /// What the conventions on sharing say, where more than one contact acts and one closes.
