@@ -16,9 +16,11 @@ const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";
 pub(crate) fn check(root: &Path) -> Result<String, String> {
     let list = std::fs::read_to_string(root.join(LIST)).map_err(|problem| format!("{LIST}: {problem}"))?;
     let allowed = allowed(&list).ok_or_else(|| format!("{LIST} has no list `allow` of licences"))?;
+    let excepted = excepted(&list);
     let json = metadata::of_cargo(root, &["--all-features", "--locked"])?;
     let packages = json["packages"].as_array().ok_or("cargo metadata does not look as it used to")?;
-    let faults: Vec<String> = packages.iter().filter_map(|package| fault(package, &allowed)).collect();
+    let faults: Vec<String> =
+        packages.iter().filter_map(|package| fault(package, &allowed, &excepted)).collect();
     if faults.is_empty() { Ok(format!("{} packages", packages.len())) } else { Err(faults.join("\n")) }
 }
 
@@ -31,9 +33,24 @@ fn allowed(list: &str) -> Option<BTreeSet<&str>> {
     Some(names.split('"').skip(1).step_by(2).collect())
 }
 
+/// What `[licenses]` allows single packages beside that: a name and a licence for each, on the line of `exceptions`.
+fn excepted(list: &str) -> BTreeSet<(&str, &str)> {
+    let section = list.split_once("[licenses]").map_or("", |(_, section)| section);
+    let line = section.lines().find_map(|line| line.strip_prefix("exceptions = "));
+    let tables = line.into_iter().flat_map(|line| line.split('{').skip(1));
+    tables
+        .flat_map(|table| {
+            let mut names = table.split('"').skip(1).step_by(2);
+            let name = names.next().unwrap_or_default();
+            names.map(move |licence| (name, licence))
+        })
+        .collect()
+}
+
 /// What is wrong with a package.
-fn fault(package: &Value, allowed: &BTreeSet<&str>) -> Option<String> {
-    let name = format!("{} {}", package["name"].as_str()?, package["version"].as_str()?);
+fn fault(package: &Value, allowed: &BTreeSet<&str>, excepted: &BTreeSet<(&str, &str)>) -> Option<String> {
+    let own = package["name"].as_str()?;
+    let name = format!("{own} {}", package["version"].as_str()?);
     // Our own packages have no source.
     if let Some(source) = package["source"].as_str()
         && source != REGISTRY
@@ -42,7 +59,7 @@ fn fault(package: &Value, allowed: &BTreeSet<&str>) -> Option<String> {
     }
     match package["license"].as_str() {
         None => Some(format!("{name}: it names no licence")),
-        Some(licence) if is_allowed(licence, allowed) => None,
+        Some(licence) if is_allowed(licence, allowed) || excepted.contains(&(own, licence)) => None,
         Some(licence) => Some(format!("{name}: {licence} is not allowed by {LIST}")),
     }
 }
@@ -146,9 +163,23 @@ mod tests {
     }
 
     #[test]
+    fn an_exception_is_for_one_package() {
+        let text = "[licenses]\nallow = [\"MIT\"]\nexceptions = [{ crate = \"a\", allow = [\"X\", \"Y\"] }, { crate = \"b\", allow = [\"Z\"] }]\n";
+        let excepted = excepted(text);
+        assert_eq!(excepted, BTreeSet::from([("a", "X"), ("a", "Y"), ("b", "Z")]), "by package and licence");
+        let said = |name: &str| {
+            let package = json!({ "name": name, "version": "1.0.0", "license": "X", "source": REGISTRY });
+            fault(&package, &list(), &excepted)
+        };
+        assert_eq!(said("a"), None, "excepted");
+        assert_eq!(said("b"), Some("b 1.0.0: X is not allowed by deny.toml".to_owned()), "another package");
+    }
+
+    #[test]
     fn a_package_without_a_licence_or_from_elsewhere_is_refused() {
         let package = |licence: Value, source: Value| json!({ "name": "a", "version": "1.0.0", "license": licence, "source": source });
-        let said = |licence: Value, source: Value| fault(&package(licence, source), &list());
+        let said =
+            |licence: Value, source: Value| fault(&package(licence, source), &list(), &BTreeSet::new());
         assert_eq!(said(json!("MIT"), json!(REGISTRY)), None, "from the registry");
         assert_eq!(said(json!("MIT"), Value::Null), None, "our own");
         assert_eq!(said(Value::Null, Value::Null), Some("a 1.0.0: it names no licence".to_owned()), "none");
