@@ -3,6 +3,7 @@
 
 mod arrows;
 mod book;
+mod c;
 mod coverage;
 mod digest;
 mod docs;
@@ -60,6 +61,8 @@ cargo xtask COMMAND
   studio check              the same, and its tests in Chromium
   python check              builds the package for Python, installs it into an environment of its own, and tries
                             it there; needs Python 3.11 and what pip fetches
+  c check                   builds the libraries for C, and compiles, links and tries programs in C with both;
+                            needs a C compiler, and uses c++ and valgrind where they are there
   help                      this page
 
   steps of `check`: format arrows licences rules clippy doc examples book digest tests";
@@ -85,6 +88,7 @@ const BOOK: Step = Step { name: "book", run: book::write };
 const STUDIO: [Step; 2] =
     [Step { name: "studio", run: studio::build }, Step { name: "studio", run: studio::check }];
 const PYTHON: Step = Step { name: "python", run: python::check };
+const C: Step = Step { name: "c", run: c::check };
 const DIGEST_WASM: Step = Step { name: "digest wasm", run: digest::check_wasm };
 
 /// What the command line asks for.
@@ -147,6 +151,7 @@ fn task(words: &[&str]) -> Result<Task, String> {
         }
         ["digest", "wasm"] => Ok(Task::Run(vec![&DIGEST_WASM])),
         ["python", "check"] => Ok(Task::Run(vec![&PYTHON])),
+        ["c", "check"] => Ok(Task::Run(vec![&C])),
         ["book"] => Ok(Task::Run(vec![&BOOK])),
         ["book", "check"] => Ok(Task::Run(STEPS.iter().filter(|step| step.name == "book").collect())),
         ["studio"] => Ok(Task::Run(vec![&STUDIO[0]])),
