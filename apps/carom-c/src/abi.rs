@@ -353,3 +353,22 @@ unsafe fn named<'a>(place: *const c_char, unnamed: &'static str) -> Result<&'a s
     // SAFETY: the caller's word.
     if place.is_null() { Ok(unnamed) } else { unsafe { string("name", place) } }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_ends_in_a_status_and_a_message() {
+        let mut message = ptr::null_mut();
+        // SAFETY: it is a place to write.
+        let status = unsafe { answered(&raw mut message, || panic!("a test")) };
+        assert_eq!(status, Status::Fault, "the status");
+        // SAFETY: it was made by `given`.
+        let said = unsafe { CString::from_raw(message) };
+        assert!(said.to_str().unwrap().contains("a fault of Carom"), "{said:?}");
+        // SAFETY: nobody asks for the message.
+        let status = unsafe { answered(ptr::null_mut(), || panic!("a test")) };
+        assert_eq!(status, Status::Fault, "without a message");
+    }
+}

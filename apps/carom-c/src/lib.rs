@@ -16,4 +16,5 @@ mod refusal;
 mod text;
 
 pub use abi::*;
+pub use impact::EndStates;
 pub use plain::*;
