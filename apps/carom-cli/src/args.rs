@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::draw::DrawOptions;
 use crate::fitting::FitOptions;
 use crate::folder_name::folder_name;
 use crate::helps::{CONTACT_HELP, FEED_HELP, FIT_HELP, IMPACT_HELP, MAP_HELP};
@@ -133,16 +134,6 @@ pub(crate) struct RunOptions {
     /// Add how far each quantity may move before the verdict flips.
     #[arg(long)]
     pub(crate) limits: bool,
-}
-
-#[derive(Args, Debug)]
-pub(crate) struct DrawOptions {
-    /// Scene file.
-    #[arg(value_name = "SCENE")]
-    pub(crate) scene: PathBuf,
-    /// Open the drawing when it is written.
-    #[arg(long)]
-    pub(crate) open: bool,
 }
 
 #[derive(Args, Debug)]

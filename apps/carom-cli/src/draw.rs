@@ -1,6 +1,6 @@
 //! `carom draw`: what a scene draws, without running it.
 
-use crate::args::{DrawOptions, Format, Output};
+use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::printed::{notes, tell};
 use crate::{faces, files, pipeline};
@@ -10,8 +10,23 @@ use carom_num::Vec2;
 use carom_scene::{Approximation, FaceReport, Scene, unit::Dimension};
 use carom_words::aligned;
 use carom_words::part;
+use clap::Args;
 use serde::Serialize;
 use std::io::Write;
+use std::path::PathBuf;
+
+#[derive(Args, Debug)]
+pub(crate) struct DrawOptions {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Also write it for simulators: MJCF for MuJoCo, URDF and meshes for Bullet, Drake and others.
+    #[arg(long)]
+    pub(crate) simulators: bool,
+    /// Open the drawing when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
+}
 
 /// A plate or wall as it lies.
 #[derive(Serialize)]
@@ -129,6 +144,12 @@ pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write)
     for (name, drawing) in pipeline::drawings(&scene) {
         let path = files::write(&folder, name, &drawing)?;
         written.push_str(&format!("1:1     {}\n", path.display()));
+    }
+    if options.simulators {
+        for (name, text) in carom::tasks::simulator_files(&scene) {
+            let path = files::write(&folder, &name, &text)?;
+            written.push_str(&format!("model   {}\n", path.display()));
+        }
     }
     match output.format {
         Format::Text => {

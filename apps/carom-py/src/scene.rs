@@ -130,6 +130,11 @@ impl Scene {
         serde_json::to_string(&shown.collect::<Vec<_>>()).map_err(of_fault)
     }
 
+    /// The scene for simulators: texts by the names of their files.
+    fn simulators(&self) -> BTreeMap<String, String> {
+        carom::tasks::simulator_files(&self.inner).into_iter().collect()
+    }
+
     /// The layout as SVG.
     fn layout(&self) -> String {
         carom::tasks::layout(&self.inner)

@@ -22,6 +22,7 @@
 
 mod after_strike;
 mod bars;
+mod blocks;
 mod course;
 mod csv;
 mod draft;
@@ -68,6 +69,7 @@ mod roll_scene;
 pub mod senses;
 mod sheet;
 mod sight;
+mod simulators;
 mod solid;
 mod solid_scene;
 mod solid_tables;
@@ -114,6 +116,7 @@ pub use regions::{
 pub use report::{Extra, QuantityLimit, Wish, report};
 pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use sheet::drawing_svg;
+pub use simulators::simulator_files;
 pub use solid::{
     SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,
     SolidStrike, solid_report,

@@ -179,6 +179,20 @@ pub fn drawings(scene: &Scene) -> [(&'static str, String); 2] {
     ]
 }
 
+/// A scene for simulators, with the names of the files: MJCF, URDF and the meshes of the part.
+///
+/// # Example
+/// ```
+/// use carom::{prelude::*, tasks};
+/// let scene = Scene::read("../../examples/case_2_box.toml".as_ref())?;
+/// let names: Vec<String> = tasks::simulator_files(&scene).into_iter().map(|(name, _)| name).collect();
+/// assert_eq!(names, ["scene.mjcf.xml", "part.urdf", "plates.urdf", "part-0.obj"]);
+/// # Ok::<(), carom::Error>(())
+/// ```
+pub fn simulator_files(scene: &Scene) -> Vec<(String, String)> {
+    carom_figure::simulator_files(scene.feeder(), scene.name())
+}
+
 /// The layout of a feeder as SVG.
 pub fn layout(scene: &Scene) -> String {
     carom_figure::layout_svg(scene.feeder(), None, &draft(scene))

@@ -111,6 +111,15 @@ class Scene:
             raise KeyError(f"{path} is none of {', '.join(quantity.path for quantity in self.quantities)}")
         return found
 
+    def simulators(self) -> dict[str, str]:
+        """The scene for other engines, as texts by the names of their files: ``scene.mjcf.xml`` for MuJoCo, ``part.urdf``, ``plates.urdf`` and the
+        meshes of the part for Bullet, Drake and others. What differs from the scene is said at the head of each file.
+
+        >>> sorted(carom.Scene.read("examples/case_2_box.toml").simulators())
+        ['part-0.obj', 'part.urdf', 'plates.urdf', 'scene.mjcf.xml']
+        """
+        return self._inner.simulators()
+
     def __reduce__(self) -> tuple[Any, ...]:
         return (_again, (self.text, self._inner.file, self._inner.files))
 

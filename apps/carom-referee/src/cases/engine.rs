@@ -51,7 +51,7 @@ fn in_plane(problem: &ImpactProblem) -> Option<Expected> {
     let shared = report.sharing.iter().filter_map(|way| planar(way.sharing.as_str(), way.end.as_ref()?));
     let laws = Law::ALL.iter().filter_map(|law| {
         let other = ImpactProblem { law: *law, ..problem.clone() };
-        let told = ImpactAnswerReport::new(&other, &other.solve());
+        let told = ImpactAnswerReport::new(&other, &other.solve_as_asked());
         // Several contacts have their own law, whatever is asked.
         (told.law.0 == *law).then(|| planar(law.word(), &told.staged?.end))?
     });
