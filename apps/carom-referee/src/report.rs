@@ -156,13 +156,13 @@ impl JudgeReport {
             Some(share) => format!("off by {} of the motion at most", shown(share)),
             None => "off by no more than the tolerance of the case".to_owned(),
         };
-        let _ = write!(text, "agree: what the law of the case allows, {agree}. {NOTES}");
+        let _ = write!(text, "agree: what the law of the case allows, {agree}.{NOTES}");
         text
     }
 }
 
-const NOTES: &str = "other: what another law of restitution, or another convention on sharing, gives.
-none: refused or missing. gained: more energy after than before.
+const NOTES: &str = "
+other: what another law of restitution, or another convention on sharing, gives. none: refused or missing. gained: more energy after than before.
 difference, restitution, energy, spin: medians of how far answers are from the nearest one that the law allows: the root of the kinetic
 energy of the difference (largest: the worst); restitution seen at the one contact; energy after; spins. Shares of what was before.
 ";
