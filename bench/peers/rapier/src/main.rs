@@ -1,7 +1,9 @@
-//! `peers-rapier drop SETTING FILE` and `peers-rapier impact SETTING FILE`: verdicts and time, or spins, as one line of JSON.
+//! `peers-rapier drop SETTING FILE` and `peers-rapier impact SETTING FILE`: verdicts and time, or spins, as one line of JSON. `peers-rapier
+//! cases` answers the referee.
 
 #![allow(clippy::disallowed_methods, reason = "nothing here is promised to be the same on all platforms")]
 
+mod cases;
 mod drop;
 mod model;
 
@@ -16,8 +18,11 @@ const AT_LEAST: f64 = 0.3;
 
 fn main() -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments == ["cases"] {
+        return cases::answer_lines();
+    }
     let [what, setting, file] = arguments.as_slice() else {
-        return Err("usage: peers-rapier drop|impact default|fast|fine FILE".into());
+        return Err("usage: peers-rapier drop|impact default|fast|fine FILE, or peers-rapier cases".into());
     };
     let setting = match setting.as_str() {
         "default" => model::DEFAULT,
