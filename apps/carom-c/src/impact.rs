@@ -2,16 +2,13 @@
 
 use crate::plain::{self, Contact, ContactEnd, ContactState, EndState, ImpactResult, Outcome};
 use crate::refusal::Refusal;
-use carom_impact::planar::forces::Applied;
-use carom_impact::planar::pivoting::ContactSet24;
-use carom_impact::planar::sharing::Sharing;
-use carom_impact::planar::{self, ContactSet6, ImpactError, Law, MOST_CONTACTS, Touch};
+use carom_impact::planar::{self, Law, Touch};
 use carom_num::Vec2;
 use carom_scene::quantity::{Allowed, Kind};
 use carom_scene::unit::Dimension;
 use carom_scene::{
-    ContactPlaces, EndReport, EndStateReport, ImpactAnswer, ImpactAnswerReport, ImpactBody, ImpactContacts,
-    ImpactOutcome, ImpactProblem, Word,
+    EndReport, EndStateReport, ImpactAnswer, ImpactAnswerReport, ImpactBody, ImpactOutcome, ImpactProblem,
+    Word,
 };
 use carom_words::Words;
 use std::ffi::c_int;
@@ -154,37 +151,7 @@ fn problem(given: &plain::ImpactProblem, contacts: &[Contact]) -> Option<ImpactP
         return None;
     }
     let velocity = Vec2::new(velocity[0], velocity[1]);
-    let set = contact_set(mass, inertia, (velocity, spin), &touches).ok()?;
-    let springs = [1.0; MOST_CONTACTS];
-    Some(ImpactProblem {
-        law,
-        names: (0..touches.len()).map(name).collect(),
-        contacts: set,
-        body: Some(ImpactBody { mass, inertia, velocity, spin, touches }),
-        group: None,
-        applied: vec![Applied::default()],
-        sharing: Sharing::Together,
-        by_stiffness: Sharing::ByStiffness { stiffness: springs, exponent: 1.0 },
-        places: ContactPlaces::default(),
-    })
-}
-
-fn contact_set(
-    mass: f64,
-    inertia: f64,
-    (velocity, spin): (Vec2, f64),
-    touches: &[Touch],
-) -> Result<ImpactContacts, ImpactError> {
-    if touches.len() <= MOST_CONTACTS {
-        return ContactSet6::of_free_body(mass, inertia, velocity, spin, touches).map(ImpactContacts::from);
-    }
-    let set = ContactSet24::of_free_body(mass, inertia, velocity, spin, touches)?;
-    Ok(ImpactContacts::Many(Box::new(set)))
-}
-
-/// A, B, C …: the name of a contact in a file that names none.
-fn name(number: usize) -> String {
-    char::from(b'A' + (number % 26) as u8).to_string()
+    ImpactProblem::of_body(law, ImpactBody { mass, inertia, velocity, spin, touches }).ok()
 }
 
 /// Everything that is wrong with the numbers, as the reader of impact files tells it.

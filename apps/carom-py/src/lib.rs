@@ -9,6 +9,8 @@
 #[cfg(feature = "python")]
 mod answers;
 #[cfg(feature = "python")]
+mod batch;
+#[cfg(feature = "python")]
 mod drops;
 #[cfg(feature = "python")]
 mod failure;
@@ -39,6 +41,8 @@ mod yields;
 mod _carom {
     #[pymodule_export]
     use crate::answers::{contact, design, impact, roll, run};
+    #[pymodule_export]
+    use crate::batch::impact_batch;
     #[pymodule_export]
     use crate::drops::drops;
     #[pymodule_export]

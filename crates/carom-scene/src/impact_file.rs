@@ -5,13 +5,13 @@ use crate::grammar::{Section, read_checked};
 use crate::impact_bodies::{Group, read_group};
 use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_operator::read_operator;
-use crate::impact_touch::{ReadContact, ReadTouch, read_contacts};
+use crate::impact_touch::{ReadContact, ReadTouch, letter, read_contacts};
 use crate::node::{Node, Value, from_json, from_toml};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Quantity;
 use carom_impact::planar::forces::Applied;
 use carom_impact::planar::sharing::Sharing;
-use carom_impact::planar::{Law, MOST_CONTACTS, Touch};
+use carom_impact::planar::{ImpactError, Law, MOST_CONTACTS, Touch};
 use carom_num::Vec2;
 use std::ops::Range;
 
@@ -107,6 +107,39 @@ impl ImpactProblem {
         let fail = |list| Problems::new(file, source, list);
         let (tree, syntax) = from_toml(source);
         if syntax.is_empty() { read(&tree, source).map_err(fail) } else { Err(fail(syntax)) }
+    }
+
+    /// The impact of one body that a program has in numbers: contacts that close together share it at once.
+    ///
+    /// # Errors
+    /// Too many contacts, or numbers that overflow. Whether numbers are what a file may have is not asked.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::*;
+    /// let ball = ImpactProblem::parse("ball.toml", r#"
+    ///     body = { mass = 2, inertia = 0.4, velocity = [0, -3] }
+    ///     contact = [{ point = [0, -1], normal = [0, 1], friction = 0.3, restitution = 0.5 }]
+    /// "#)?;
+    /// let again = ImpactProblem::of_body(ball.law, ball.body.clone().unwrap()).unwrap();
+    /// assert_eq!((again.solve(), again.names), (ball.solve(), ball.names));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn of_body(law: Law, body: ImpactBody) -> Result<Self, ImpactError> {
+        let ImpactBody { mass, inertia, velocity, spin, touches } = &body;
+        let contacts = ImpactContacts::of_free_body(*mass, *inertia, (*velocity, *spin), touches)?;
+        let names = (0..touches.len()).map(letter).collect();
+        Ok(Self {
+            law,
+            names,
+            contacts,
+            body: Some(body),
+            group: None,
+            applied: vec![Applied::default()],
+            sharing: Sharing::Together,
+            by_stiffness: Sharing::ByStiffness { stiffness: [1.0; MOST_CONTACTS], exponent: 1.0 },
+            places: ContactPlaces::default(),
+        })
     }
 
     /// Reads one JSON text with the same keys.

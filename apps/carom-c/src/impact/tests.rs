@@ -158,7 +158,7 @@ fn a_refusal_tells_all_problems() {
 #[test]
 fn the_header_has_the_limits_of_the_engine() {
     assert_eq!(plain::MOST_CONTACTS, carom_scene::MOST_PIVOTED, "contacts");
-    assert_eq!(plain::MOST_WALKED, MOST_CONTACTS, "contacts that are walked");
+    assert_eq!(plain::MOST_WALKED, carom_impact::planar::MOST_CONTACTS, "contacts that are walked");
     for (number, law) in [plain::Law::Poisson, plain::Law::Stronge, plain::Law::Newton].iter().enumerate() {
         assert_eq!((*law as usize, super::law(LAWS[number])), (number, *law), "laws by their numbers");
     }

@@ -2,7 +2,7 @@
 
 One question at a time: :func:`run` a scene, resolve an :func:`impact`, ask what :func:`contact` forces are consistent, follow what can
 :func:`roll`, find a :func:`yield_` or a :func:`design`, draw a :func:`map` or :func:`regions`, :func:`feed` many parts, :func:`fit`
-what was observed. By the million: :func:`drops` and :func:`impacts` take arrays. In closed form: :func:`derive`.
+what was observed. By the million: :func:`drops`, :func:`impacts` and :func:`impact_batch` take arrays. In closed form: :func:`derive`.
 
 All values are SI, in a world with x to the right and y up; angles and spins are counter-clockwise. Text may carry other units: ``"12 deg"``.
 
@@ -15,6 +15,7 @@ All values are SI, in a world with x to the right and y up; angles and spins are
 from __future__ import annotations
 
 from carom._carom import __version__
+from carom._batch import impact_batch
 from carom._many import drops, impacts
 from carom._one import contact, design, impact, roll, run, yield_
 from carom._studies import feed, fit, map, regions
@@ -66,6 +67,7 @@ __all__ = [
     "feed",
     "fit",
     "impact",
+    "impact_batch",
     "impacts",
     "map",
     "regions",
