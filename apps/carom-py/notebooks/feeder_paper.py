@@ -29,9 +29,9 @@ import numpy as np
 import pandas as pd
 from IPython.display import SVG, display
 
-ROOT = next(
-    folder for folder in (Path.cwd(), *Path.cwd().parents) if (folder / "examples/case_2.toml").is_file()
-)
+# The project's folder: this one, or the nearest above it that has the examples.
+FOLDERS = (Path.cwd(), *Path.cwd().parents)
+ROOT = next((folder for folder in FOLDERS if (folder / "examples/case_2.toml").is_file()), Path.cwd())
 CASES = {name: carom.Scene.read(ROOT / f"examples/{name}.toml") for name in ("case_1", "case_2")}
 
 # %% [markdown]

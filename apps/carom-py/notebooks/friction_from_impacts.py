@@ -28,9 +28,9 @@ import numpy as np
 import pandas as pd
 from carom.measured import MeasuredImpacts, MeasuredTosses, fit_impacts
 
-ROOT = next(
-    folder for folder in (Path.cwd(), *Path.cwd().parents) if (folder / "examples/case_2.toml").is_file()
-)
+# The project's folder: this one, or the nearest above it that has the examples.
+FOLDERS = (Path.cwd(), *Path.cwd().parents)
+ROOT = next((folder for folder in FOLDERS if (folder / "examples/case_2.toml").is_file()), Path.cwd())
 DATA = os.environ.get("CAROM_DATA")
 #: What makes our own measurements: friction, restitution, and the error of the camera as a share of the motion.
 TRUTH, ERROR, ROWS = {"friction": 0.2, "restitution": 0.55}, 0.03, 400

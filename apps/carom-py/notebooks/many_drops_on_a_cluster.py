@@ -28,9 +28,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from distributed import Client, LocalCluster
 
-ROOT = next(
-    folder for folder in (Path.cwd(), *Path.cwd().parents) if (folder / "examples/case_2.toml").is_file()
-)
+# The project's folder: this one, or the nearest above it that has the examples.
+FOLDERS = (Path.cwd(), *Path.cwd().parents)
+ROOT = next((folder for folder in FOLDERS if (folder / "examples/case_2.toml").is_file()), Path.cwd())
 SCENE = carom.Scene.read(ROOT / "examples/case_2.toml")
 DROPS = int(float(os.environ.get("CAROM_DROPS", "1e4")))
 #: Where the files go: a folder that all workers see under the same name.

@@ -16,7 +16,7 @@ Execute = Callable[[str, Mapping[str, str], Mapping[str, str]], dict[str, Any]]
 
 
 def test_every_notebook_says_first_what_it_teaches_and_what_it_needs() -> None:
-    found = sorted(path.stem for path in NOTEBOOKS.iterdir() if path.suffix not in (".md", ".pyc") and path.is_file())
+    found = sorted(path.stem for path in NOTEBOOKS.glob("*.py"))
     assert found == ["design_from_scratch", "feeder_paper", "friction_from_impacts", "how_engines_differ", "many_drops_on_a_cluster", "simultaneous_collisions"]
     for name in found:
         text = (NOTEBOOKS / f"{name}.py").read_text(encoding="utf-8")
