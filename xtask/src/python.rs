@@ -30,10 +30,9 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     said(&folder, &program("pyright"), &["--pythonpath", &python.to_string_lossy(), "python"])?;
     // Derivations take as long as all the others, and a core each. The notebook that derives a table of formulas is read by their tests.
     let derived = DERIVED.map(|test| format!("{PACKAGE}/{test}"));
-    let others = DERIVED.map(|test| match test.contains("::") {
-        // Names of single tests begin in the folder of the package.
-        true => format!("--deselect={test}"),
-        false => format!("--ignore={PACKAGE}/{test}"),
+    // A single test is named from the package's folder on.
+    let others = DERIVED.map(|test| {
+        if test.contains("::") { format!("--deselect={test}") } else { format!("--ignore={PACKAGE}/{test}") }
     });
     let rest = [format!("{PACKAGE}/tests"), format!("{PACKAGE}/README.md"), "README.md".to_owned()];
     let tried = |files: &[String]| {

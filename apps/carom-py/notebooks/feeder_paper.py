@@ -38,7 +38,7 @@ CASES = {name: carom.Scene.read(ROOT / f"examples/{name}.toml") for name in ("ca
 # ## Two cases
 #
 # A scene is a text file: the part, the friction, the plates. `carom.run` follows the part from its start until it lies.
-# Each stage ends with an event, and Carom says which one.
+# Each stage ends with an event, and Carom says which one. An answer that is the last line of a cell shows its page.
 
 # %%
 print(CASES["case_2"].text)
@@ -53,6 +53,7 @@ for name, run in runs.items():
         print(
             f"    {stage.start_s:.4f} s to {stage.end_s:.4f} s  {stage.name:<6}  ends because: {stage.ended_by}"
         )
+runs["case_2"]
 
 # %% [markdown]
 # ## The strike

@@ -26,7 +26,7 @@ import carom.data
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from carom.measured import MeasuredImpacts, MeasuredTosses, fit_impacts
+from carom.measured import MeasuredImpacts, fit_impacts
 
 # The project's folder: this one, or the nearest above it that has the examples.
 FOLDERS = (Path.cwd(), *Path.cwd().parents)

@@ -23,6 +23,7 @@ from collections import Counter
 
 import carom
 import matplotlib.pyplot as plt
+import numpy as np
 import pandas as pd
 import sympy as sp
 from carom.symbolic import paper
@@ -93,7 +94,7 @@ print(f"printed less derived: {difference}")
 # %% [markdown]
 # ## Where each hypothesis holds
 #
-# The picture shows which end state belongs to which angle and friction. The regions cover the plane. Where two colours lie over each other, the law allows two end states, and what happens depends on more than the law says.
+# The picture shows which end state belongs to which angle and friction. Where two colours lie over each other, the law allows several end states, and the law alone does not say which one happens. The counts below tell how many there are.
 
 # %%
 figure, both = plt.subplots(1, 2, figsize=(11, 5.2), layout="constrained", sharey=True)
@@ -109,6 +110,16 @@ for axes, (b, body) in zip(both, ((0.5, "a full cylinder"), (1.0, "a thin tube")
         xlabel="γ, half of the angle between A and K [rad]",
         ylabel="friction f [1]" if b == 0.5 else "",
         title=f"b = {b:g}: {body}",
+    )
+plt.show()
+gamma, friction = (
+    axis.ravel() for axis in np.meshgrid(np.linspace(0.01, 1.56, 161), np.linspace(0.0, 2.0, 161))
+)
+for b in (0.5, 1.0):
+    numbers = {"m": 1, "a": 1, "omega0": 1, "b": b, "gamma": gamma, "f": friction}
+    states = np.sum([way.at(numbers).holds for way in ways], axis=0)
+    print(
+        f"b = {b:g}: {states.min()} to {states.max()} end states; several in {100 * (states > 1).mean():.0f} % of the picture"
     )
 
 # %% [markdown]
