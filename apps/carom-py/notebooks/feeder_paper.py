@@ -166,7 +166,8 @@ def in_the_papers_letters(scene: carom.Scene, run: carom.Run) -> dict[str, float
 
 
 ours = {
-    f"{name}.{key}": value
+    # What is zero but for rounding has no sign.
+    f"{name}.{key}": round(float(value), 12) + 0.0
     for name, scene in CASES.items()
     for key, value in in_the_papers_letters(scene, runs[name]).items()
 }

@@ -59,7 +59,7 @@ for way in ways:
 
 # %% [markdown]
 # A *hypothesis* says what each contact does: it separates, it sticks, or it slips one way or the other. Two contacts have 4 × 4 hypotheses.
-# Carom derives all of them. Z3 then looks for numbers at which all conditions of a hypothesis hold. Where there are none, the hypothesis is discarded, and the reason is told. *border* means: it holds only where another hypothesis says the same.
+# Carom derives all of them. Z3 then looks for numbers at which all conditions of a hypothesis hold. Where there are none, the hypothesis is discarded, and the reason is told. *border* means: it holds only where one of its inequalities is an equality, and there another hypothesis mostly says the same.
 
 
 # %%
