@@ -4,12 +4,17 @@ use crate::args::{Format, Output, is_stdin};
 use crate::failure::Failure;
 use crate::files;
 use crate::printed::tell;
-use carom_referee::{Case, JudgeReport, cases as known_cases, judge as judged, read_answers, read_cases};
+use carom_referee::{
+    Case, JudgeReport, cases as known_cases, judge as judged, of_group, read_answers, read_cases, twice,
+};
 use carom_words::aligned;
 use clap::Args;
 use std::collections::BTreeMap;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::PathBuf;
+
+/// What is read of stdin at most [bytes]: as of a file.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// What answers look like, for those who have none yet.
 pub(crate) const JUDGE_HELP: &str = "\
@@ -24,7 +29,7 @@ The cases are those of `carom cases --format json`. `carom impact -` answers the
 
 #[derive(Args, Debug)]
 pub(crate) struct CasesOptions {
-    /// Only groups whose name contains this.
+    /// Only the group of this name, or those that have it in theirs.
     #[arg(long, value_name = "TEXT")]
     pub(crate) group: Option<String>,
 }
@@ -53,8 +58,7 @@ fn share(text: &str) -> Result<f64, String> {
 
 /// Prints the cases: a table of their groups for a person, one case a line for a program.
 pub(crate) fn cases(options: &CasesOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
-    let asked = |case: &Case| options.group.as_deref().is_none_or(|part| case.group.contains(part));
-    let cases: Vec<Case> = known_cases().into_iter().filter(asked).collect();
+    let cases = of_group(known_cases(), options.group.as_deref());
     if cases.is_empty() {
         let part = options.group.as_deref().unwrap_or_default();
         return Err(Failure::Usage(format!(
@@ -108,7 +112,7 @@ pub(crate) fn judge(options: &JudgeOptions, output: &Output, out: &mut impl Writ
     let (mut answers, mut wrong) = (vec![], vec![]);
     for path in &options.answers {
         let (name, text) = if is_stdin(path) {
-            ("stdin".to_owned(), std::io::read_to_string(std::io::stdin().lock()))
+            ("stdin".to_owned(), std::io::read_to_string(std::io::stdin().lock().take(MOST_BYTES)))
         } else {
             (path.display().to_string(), Ok(files::read_input(path)?))
         };
@@ -121,6 +125,9 @@ pub(crate) fn judge(options: &JudgeOptions, output: &Output, out: &mut impl Writ
     }
     if !wrong.is_empty() {
         return Err(Failure::Input(wrong));
+    }
+    if let Some(problem) = twice(&answers) {
+        return Err(Failure::Usage(problem));
     }
     if answers.is_empty() {
         return Err(Failure::Usage("there is no answer to judge".to_owned()));

@@ -115,3 +115,67 @@ fn cases_of_ones_own_are_judged_too() {
     let said = fed(&mut command(&words, &folder("own_judge")), &answer);
     assert!(said.err.contains("line 2") && said.err.contains("line 3"), "{}", said.err);
 }
+
+#[test]
+fn a_case_that_is_none_is_refused_before_anything_is_judged() {
+    let case = lines(&["cases", "--format", "json", "--group", "ball"])[0].clone();
+    let drop = lines(&["cases", "--format", "json", "--group", "drop"])[0].clone();
+    let changed = |from: &Value, path: &str, to: Value| {
+        let mut other = from.clone();
+        *other.pointer_mut(path).unwrap() = to;
+        other
+    };
+    let mut typo = case.clone();
+    typo["impact"]["contact"][0]["restitutoin"] = 0.5.into();
+    let mut still = case.clone();
+    still["impact"]["body"]["velocity"] = json!([0, 0]);
+    still["impact"]["body"]["spin"] = 0.into();
+    let wrong = [
+        (typo, "impact.contact.0.restitutoin"),
+        (still, "nothing moves before it"),
+        (changed(&case, "/expected/answers", json!([])), "at least one answer"),
+        (changed(&case, "/tolerance", json!(-1)), "a share from 0 to 1"),
+        (changed(&case, "/expected/answers/0/bodies/0/velocity_m_s", json!([0, 0, 0])), "2 numbers"),
+        (changed(&case, "/impact", Value::Null), "one of impact and scene"),
+        (changed(&drop, "/scene", json!({ "x": 1 })), "scene.x"),
+        (changed(&drop, "/expected/answers/0/verdict", json!("maybe")), "same, turned or none"),
+        (changed(&case, "/case", json!(" ")), "a case has a name"),
+    ];
+    let file = folder("wrong_cases").join("cases.jsonl");
+    std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+    for (bad, told) in wrong {
+        std::fs::write(&file, format!("{bad}\n")).unwrap();
+        let words = ["judge", "-", "--cases", file.to_str().unwrap()];
+        let answer = r#"{"case": "ball/001", "velocity_m_s": [999, 999], "spin_rad_s": 7}"#;
+        let said = fed(&mut command(&words, &folder("wrong_judge")), answer);
+        assert_eq!((said.code, said.out.as_str()), (2, ""), "{told}: {}", said.err);
+        assert!(said.err.contains(told), "{told}: {}", said.err);
+    }
+}
+
+#[test]
+fn one_engine_answers_a_case_once_in_all_files_and_in_numbers() {
+    let out = folder("two_files");
+    std::fs::create_dir_all(&out).unwrap();
+    let line = r#"{"case": "ball/001", "engine": "mine", "velocity_m_s": [0, 0], "spin_rad_s": 0}"#;
+    let files = ["a.jsonl", "b.jsonl"].map(|name| out.join(name));
+    for file in &files {
+        std::fs::write(file, line).unwrap();
+    }
+    let words: Vec<&str> =
+        ["judge"].into_iter().chain(files.iter().map(|file| file.to_str().unwrap())).collect();
+    let said: Said = command(&words, &out).output().unwrap().into();
+    assert!(said.code == 2 && said.err.contains("two files answer"), "{}", said.err);
+    for (bad, told) in [
+        (r#"{"case": "ball/001", "velocity_m_s": [1.7e308, 1.7e308], "spin_rad_s": 1e308}"#, "too large"),
+        (r#"["ball/001", "mine", [], [0, 0], 0, null, null]"#, "one JSON object a line"),
+        (r#"{"case": "ball/001", "engine": "two\nlines", "refused": "no"}"#, "name of the engine"),
+        (
+            r#"{"case": "ball/001", "velocity_m_s": [0, 0], "spin_rad_s": "fast"}"#,
+            "a number, or a list of three",
+        ),
+    ] {
+        let said = fed(&mut command(&["judge", "-"], &out), bad);
+        assert!(said.code == 2 && said.err.contains(told), "{told}: {}", said.err);
+    }
+}

@@ -2,13 +2,15 @@
 
 use crate::answers::pretty;
 use crate::failure::{of_fault, of_inputs, of_words};
-use carom_referee::{Case, cases, judge, read_answers, read_cases};
+use carom_referee::{Case, cases, judge, of_group, read_answers, read_cases, twice};
 use pyo3::prelude::*;
 
 /// The cases, one JSON object a line, as `carom cases --format json` prints them.
 #[pyfunction]
-pub(crate) fn referee_cases(py: Python<'_>) -> PyResult<String> {
-    let lines = py.detach(|| cases().iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>());
+#[pyo3(signature = (group=None))]
+pub(crate) fn referee_cases(py: Python<'_>, group: Option<&str>) -> PyResult<String> {
+    let lines = py
+        .detach(|| of_group(cases(), group).iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>());
     lines.map(|lines| lines.join("\n") + "\n").map_err(of_fault)
 }
 
@@ -34,6 +36,9 @@ pub(crate) fn referee_judge(
         return Err(of_inputs(py, &wrong));
     }
     let all: Vec<_> = read.into_iter().flatten().flatten().collect();
+    if let Some(problem) = twice(&all) {
+        return Err(of_words(py, &problem));
+    }
     if all.is_empty() {
         return Err(of_words(py, "there is no answer to judge"));
     }

@@ -46,7 +46,7 @@ def test_the_judge_is_the_commands(command: Path, tmp_path: Path) -> None:
     ("answer", "told"),
     [
         ({"case": "nobody/001", "verdict": "turned"}, "no case"),
-        ({"case": "ball/001", "velocity_m_s": [0.0, float("nan")], "spin_rad_s": 0.0}, "line 1"),
+        ({"case": "ball/001", "velocity_m_s": [0.0, float("nan")], "spin_rad_s": 0.0}, "finite number"),
         ({"case": "ball/001", "bodies": []}, "is asked"),
         ({"case": "ball/001", "velocity_m_s": "fast", "spin_rad_s": 0}, "line 1"),
         ({"case": "drop/001", "verdict": 3}, "line 1"),
@@ -60,12 +60,22 @@ def test_what_is_no_answer_is_refused(answer: dict[str, object], told: str) -> N
 def test_bad_calls_are_told() -> None:
     with pytest.raises(carom.CaromError, match="no answer to judge"):
         referee.judge({"mine": []})
+    with pytest.raises(carom.CaromError, match="a list of answers is asked"):
+        referee.judge({"mine": "all"})
+    with pytest.raises(carom.CaromError, match="each is a dictionary"):
+        referee.judge({"mine": ["all"]})
+    with pytest.raises(carom.CaromError, match="two files answer"):
+        referee.judge({name: [{"case": "drop/001", "engine": "one", "verdict": "same"}] for name in ("a", "b")})
+    with pytest.raises(carom.CaromError, match="cannot read nowhere"):
+        referee.judge("nowhere.jsonl")
     with pytest.raises(carom.CaromError, match="cannot read"):
         referee.judge(["nowhere.jsonl"])
     with pytest.raises(carom.CaromError, match="share from 0 to 1"):
         referee.judge({"mine": [{"case": "drop/001", "verdict": "same"}]}, within=2.0)
     with pytest.raises(carom.CaromError, match="ended with 3"):
         referee.ask(f"mine={sys.executable} -c 'raise SystemExit(3)'", CASES[:1])
+    with pytest.raises(carom.CaromError, match="line 1 of its answers"):
+        referee.ask(f"""mine={sys.executable} -c "import sys; sys.stdout.buffer.write(bytes([255, 10]))" """, CASES[:1])
     with pytest.raises(carom.CaromError, match="line 1 of its answers"):
         referee.ask(f"mine={sys.executable} -c 'print(1, 2)'", CASES[:1])
 

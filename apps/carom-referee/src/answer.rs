@@ -1,16 +1,11 @@
 //! What an engine answers.
 
-use crate::case::{Body, Case, Spin, at_line, lines};
+use crate::case::{Body, Case, Spin, VERDICTS, at_line, lines, of_line, told};
 use crate::motion::Bodies;
 use carom_scene::{Problems, nearest};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Problems of a file that are listed one by one.
-const MOST_LISTED: usize = 20;
-/// Verdicts that a drop can have.
-const VERDICTS: [&str; 3] = ["same", "turned", "none"];
 
 /// The answer of an engine to a case: one line of an answer file. One of `bodies`, `velocity_m_s` with `spin_rad_s`, `verdict` and
 /// `refused` is given.
@@ -94,14 +89,21 @@ impl Answer {
 pub fn read_answers(file: &str, text: &str, cases: &[Case]) -> Result<Vec<Answer>, Problems> {
     let known: BTreeMap<&str, &Case> = cases.iter().map(|case| (case.case.as_str(), case)).collect();
     let stem = std::path::Path::new(file).file_stem().unwrap_or_default().to_string_lossy();
-    let (mut answers, mut wrong, mut seen) = (vec![], vec![], BTreeSet::new());
+    let (mut answers, mut wrong, mut seen, mut unknowns) = (vec![], vec![], BTreeSet::new(), 0);
     for (number, line) in lines(text) {
-        let said = serde_json::from_str::<Answer>(line).map_err(|error| format!("no answer: {error}"));
+        let said = of_line::<Answer>(line).map_err(|why| format!("no answer: {why}"));
         let read = said.and_then(|said| {
-            let case = known.get(said.case.as_str()).ok_or_else(|| unknown(&said.case, &known))?;
+            let case = known.get(said.case.as_str()).ok_or_else(|| {
+                // The first ones get a suggestion: to find it takes a look at every name.
+                unknowns += 1;
+                if unknowns <= MOST_SUGGESTED { unknown(&said.case, &known) } else { no_case(&said.case) }
+            })?;
             let told = |why| format!("{}: {why}", said.case);
             said.wrong(case).map_or(Ok(()), |why| Err(told(why)))?;
             let engine = said.engine.clone().unwrap_or_else(|| stem.to_string());
+            if engine.trim().is_empty() || engine.chars().any(char::is_control) {
+                return Err(told("the name of the engine is empty, or more than a line".to_owned()));
+            }
             let first = seen.insert((engine.clone(), said.case.clone()));
             if first { Ok(()) } else { Err(told("a second answer by the same engine".to_owned())) }?;
             Ok(Answer { engine: Some(engine), ..said })
@@ -111,18 +113,31 @@ pub fn read_answers(file: &str, text: &str, cases: &[Case]) -> Result<Vec<Answer
             Err(why) => wrong.push(at_line(number, why)),
         }
     }
-    if wrong.is_empty() {
-        return Ok(answers);
-    }
-    let more = wrong.len().saturating_sub(MOST_LISTED);
-    wrong.truncate(MOST_LISTED);
-    Err(Problems::new(file, "", wrong).and_more(more))
+    told(file, wrong).map_or(Ok(answers), Err)
+}
+
+/// What is wrong where an engine answers a case in two files.
+pub fn twice(answers: &[Answer]) -> Option<String> {
+    let mut seen = BTreeSet::new();
+    let second = answers.iter().find(|answer| !seen.insert((&answer.engine, &answer.case)))?;
+    let engine = second.engine.as_deref().unwrap_or_default();
+    Some(format!(
+        "two files answer {:?} by the engine {engine:?}: name the engines, each in its lines",
+        second.case
+    ))
+}
+
+/// Unknown names that are compared with all that are known.
+const MOST_SUGGESTED: usize = 20;
+
+fn no_case(name: &str) -> String {
+    format!("there is no case {name:?}")
 }
 
 fn unknown(name: &str, known: &BTreeMap<&str, &Case>) -> String {
     let names: Vec<&str> = known.keys().copied().collect();
     match nearest(name, &names) {
         Some(near) => format!("there is no case {name:?}; did you mean {near:?}?"),
-        None => format!("there is no case {name:?}"),
+        None => no_case(name),
     }
 }

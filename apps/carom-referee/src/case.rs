@@ -1,8 +1,10 @@
 //! What a case is.
 
+use crate::motion::Bodies;
 use crate::tolerance::AGREES;
-use carom_scene::{Problem, ProblemKind, Problems};
+use carom_scene::{AnyImpact, Problem, ProblemKind, Problems, Scene, toml_of_json};
 use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -73,9 +75,9 @@ pub struct Body {
     pub spin_rad_s: Spin,
 }
 
-/// A spin [rad/s].
+/// A spin [rad/s]: a number in the plane, three in space.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a number, or a list of three")]
 pub enum Spin {
     /// In the plane, counter-clockwise.
     Plane(f64),
@@ -138,7 +140,7 @@ pub struct PlateOfDrop {
 /// Reads case files: one case a line; empty lines are passed over.
 ///
 /// # Errors
-/// Every line that is no case, and every name that is given twice.
+/// Every line that is no case, each with what is wrong; a name that is given twice.
 ///
 /// # Example
 /// ```
@@ -148,19 +150,99 @@ pub struct PlateOfDrop {
 pub fn read_cases(file: &str, text: &str) -> Result<Vec<Case>, Problems> {
     let (mut cases, mut wrong, mut known) = (vec![], vec![], BTreeSet::new());
     for (number, line) in lines(text) {
-        match serde_json::from_str::<Case>(line) {
-            Ok(case) if !known.insert(case.case.clone()) => {
-                wrong.push(at_line(number, format!("the case {:?} stands there twice", case.case)));
+        match of_line::<Case>(line) {
+            Ok(case) => {
+                let twice = !known.insert(case.case.clone());
+                wrong.extend(
+                    twice.then(|| at_line(number, format!("the case {:?} stands there twice", case.case))),
+                );
+                wrong.extend(
+                    faults(&case).into_iter().map(|why| at_line(number, format!("{:?}: {why}", case.case))),
+                );
+                cases.push(case);
             }
-            Ok(case) => cases.push(case),
-            Err(error) => wrong.push(at_line(number, format!("no case: {error}"))),
+            Err(why) => wrong.push(at_line(number, format!("no case: {why}"))),
         }
     }
-    if wrong.is_empty() { Ok(cases) } else { Err(Problems::new(file, "", wrong)) }
+    told(file, wrong).map_or(Ok(cases), Err)
+}
+
+/// What is wrong with a case as such.
+fn faults(case: &Case) -> Vec<String> {
+    let mut found = vec![];
+    if case.case.trim().is_empty() {
+        found.push("a case has a name".to_owned());
+    }
+    if !(0.0..=1.0).contains(&case.tolerance) {
+        found.push(format!("tolerance {}: a share from 0 to 1 is asked", case.tolerance));
+    }
+    if case.expected.answers.is_empty() {
+        found.push("expected.answers: at least one answer is known".to_owned());
+    }
+    let known = case.expected.answers.iter().chain(&case.expected.others);
+    match (&case.impact, &case.scene) {
+        (Some(impact), None) => match AnyImpact::parse_json("impact", &impact.to_string()) {
+            Err(problems) => {
+                found.extend(
+                    problems.list.into_iter().map(|one| format!("impact.{}: {}", one.path, one.message)),
+                );
+            }
+            Ok(read) => match Bodies::of_any(&read) {
+                None => found.push("impact: an impact of bodies is asked, not of an operator".to_owned()),
+                Some(bodies) if !bodies.moves() => found.push("impact: nothing moves before it".to_owned()),
+                Some(bodies) => found.extend(known.filter_map(|known| {
+                    let why = match &known.verdict {
+                        Some(_) => Some("an impact has no verdict".to_owned()),
+                        None => bodies.wrong(&known.bodies),
+                    };
+                    why.map(|why| format!("expected, by {:?}: {why}", known.by))
+                })),
+            },
+        },
+        (None, Some(scene)) => {
+            if let Err(problems) =
+                toml_of_json("scene", &scene.to_string()).and_then(|text| Scene::parse("scene", &text))
+            {
+                found.extend(
+                    problems.list.into_iter().map(|one| format!("scene.{}: {}", one.path, one.message)),
+                );
+            }
+            let asked =
+                |known: &&Known| known.verdict.as_deref().is_none_or(|said| !VERDICTS.contains(&said));
+            found.extend(known.filter(asked).map(|known| {
+                format!("expected, by {:?}: a verdict is asked: same, turned or none", known.by)
+            }));
+        }
+        _ => found.push("one of impact and scene is asked".to_owned()),
+    }
+    found
+}
+
+/// Verdicts that a drop can have.
+pub(crate) const VERDICTS: [&str; 3] = ["same", "turned", "none"];
+
+/// Problems of a file that are listed one by one.
+const MOST_LISTED: usize = 20;
+
+/// All that is wrong with a file, listed up to a limit; `None` of nothing.
+pub(crate) fn told(file: &str, mut wrong: Vec<Problem>) -> Option<Problems> {
+    let more = wrong.len().saturating_sub(MOST_LISTED);
+    wrong.truncate(MOST_LISTED);
+    (!wrong.is_empty()).then(|| Problems::new(file, "", wrong).and_more(more))
+}
+
+/// One JSON object, and what is wrong with it where it is none.
+pub(crate) fn of_line<T: DeserializeOwned>(line: &str) -> Result<T, String> {
+    if !line.trim_start().starts_with('{') {
+        return Err("one JSON object a line is asked".to_owned());
+    }
+    // The line has its own number.
+    serde_json::from_str(line).map_err(|error| error.to_string().replace(" at line 1 column ", " at column "))
 }
 
 /// The lines that hold something, with their numbers, from 1.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let text = text.strip_prefix('\u{FEFF}').unwrap_or(text);
     text.lines().enumerate().map(|(i, line)| (i + 1, line)).filter(|(_, line)| !line.trim().is_empty())
 }
 

@@ -30,6 +30,21 @@ pub fn cases() -> Vec<Case> {
     all
 }
 
+/// The cases of the group of this name, or where there is none, those whose group has it in its name.
+///
+/// # Example
+/// ```
+/// use carom_referee::{cases, of_group};
+/// assert!(of_group(cases(), Some("ball")).iter().all(|case| case.group == "ball"));
+/// assert!(of_group(cases(), Some("balls")).iter().any(|case| case.group == "row of balls"));
+/// ```
+pub fn of_group(cases: Vec<Case>, group: Option<&str>) -> Vec<Case> {
+    let Some(asked) = group else { return cases };
+    let exact = cases.iter().any(|case| case.group == asked);
+    let is = |case: &Case| if exact { case.group == asked } else { case.group.contains(asked) };
+    cases.into_iter().filter(is).collect()
+}
+
 /// Numbers of one group of cases.
 struct Draw {
     points: Sobol,

@@ -64,7 +64,7 @@ pub struct Judged {
     pub spin_error: Option<f64>,
     /// The kinetic energy after less that of the nearest answer, as a share of the energy before.
     pub energy_error: Option<f64>,
-    /// True where the energy after is above that before.
+    /// True where the energy after is above that before, and above that of the nearest answer.
     pub gained_energy: bool,
     /// The normal velocity after as a share of that before, at the only contact; null where there are more.
     pub restitution: Option<f64>,
@@ -120,8 +120,12 @@ fn one(case: &Case, answer: Option<&Answer>, within: Option<f64>) -> Judged {
     if answer.refused.is_some() {
         return Judged::without_answer(case, Verdict::Refused);
     }
-    match case.impact.as_ref().and_then(Bodies::of) {
-        Some(bodies) => impact(case, &bodies, answer, within.unwrap_or(case.tolerance)),
+    match &case.impact {
+        // Cases are read with their impacts: one that is none does not come here.
+        Some(asked) => Bodies::of(asked).map_or_else(
+            || Judged::without_answer(case, Verdict::Differs),
+            |bodies| impact(case, &bodies, answer, within.unwrap_or(case.tolerance)),
+        ),
         None => {
             let known = case.expected.answers.iter().find(|known| known.verdict == answer.verdict);
             let verdict = if known.is_some() { Verdict::Agrees } else { Verdict::Differs };
@@ -159,7 +163,7 @@ fn impact(case: &Case, bodies: &Bodies, answer: &Answer, within: f64) -> Judged 
         difference: Some(difference),
         spin_error: bodies.spin_difference(&known.bodies, &after),
         energy_error: mine.zip(theirs).map(|(mine, theirs)| mine - theirs),
-        gained_energy: mine.is_some_and(|mine| mine > 1.0 + GAINED),
+        gained_energy: mine.is_some_and(|mine| mine > theirs.map_or(1.0, |theirs| theirs.max(1.0)) + GAINED),
         restitution: bodies.restitution(&after),
         restitution_expected: bodies.restitution(&known.bodies),
     }

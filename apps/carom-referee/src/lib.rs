@@ -12,9 +12,9 @@ mod motion;
 mod report;
 mod tolerance;
 
-pub use answer::{Answer, read_answers};
+pub use answer::{Answer, read_answers, twice};
 pub use case::{Body, Case, Expected, Known, PartOfDrop, Place, PlateOfDrop, Spin, World, read_cases};
-pub use cases::cases;
+pub use cases::{cases, of_group};
 pub use judge::{Judged, Verdict, judge};
 pub use report::{EngineReport, GroupReport, JudgeReport, Spread};
 

@@ -19,9 +19,13 @@ pub(crate) struct Bodies {
 impl Bodies {
     /// Those of an impact file; `None` where it has none.
     pub(crate) fn of(impact: &Value) -> Option<Self> {
-        match AnyImpact::parse_json("case", &impact.to_string()).ok()? {
-            AnyImpact::Planar(problem) => Self::of_plane(&problem),
-            AnyImpact::Spatial(problem) => Self::of_space(&problem),
+        Self::of_any(&AnyImpact::parse_json("case", &impact.to_string()).ok()?)
+    }
+
+    pub(crate) fn of_any(impact: &AnyImpact) -> Option<Self> {
+        match impact {
+            AnyImpact::Planar(problem) => Self::of_plane(problem),
+            AnyImpact::Spatial(problem) => Self::of_space(problem),
         }
     }
 
@@ -65,7 +69,7 @@ impl Bodies {
         if after.len() != bodies {
             return Some(format!("{} bodies, and the case has {bodies}", after.len()));
         }
-        after.iter().enumerate().find_map(|(i, body)| {
+        let form = after.iter().enumerate().find_map(|(i, body)| {
             let spin = matches!(body.spin_rad_s, Spin::Plane(_)) == self.in_plane;
             if body.velocity_m_s.len() != axes || !spin {
                 let spin = if self.in_plane { "one number" } else { "three numbers" };
@@ -74,9 +78,16 @@ impl Bodies {
                     i + 1
                 ));
             }
-            let finite = twist(body).is_some_and(|(v, w)| (v + w).is_finite());
-            (!finite).then(|| format!("body {}: a number is none", i + 1))
-        })
+            None
+        });
+        let too_large = || self.energy(after).is_none_or(|energy| !energy.is_finite());
+        form.or_else(|| too_large().then(|| "a number is none, or too large".to_owned()))
+    }
+
+    /// True of what moves before: without that there is no share of it.
+    pub(crate) fn moves(&self) -> bool {
+        let energy = self.energy_before();
+        energy.is_finite() && energy > 0.0
     }
 
     /// The kinetic energy before [J].

@@ -49,7 +49,7 @@ pub struct GroupReport {
     pub refused: usize,
     /// Cases without an answer.
     pub missing: usize,
-    /// Answers with more energy than before.
+    /// Answers with more energy than before, and than the nearest answer that the law allows.
     pub gained_energy: usize,
     /// How far answers are from the nearest one that the law allows.
     pub difference: Spread,
@@ -162,7 +162,8 @@ impl JudgeReport {
 }
 
 const NOTES: &str = "
-other: what another law of restitution, or another convention on sharing, gives. none: refused or missing. gained: more energy after than before.
+other: what another law of restitution, or another convention on sharing, gives. none: refused or missing. gained: more energy than before,
+where the law gives less.
 difference, restitution, energy, spin: medians of how far answers are from the nearest one that the law allows: the root of the kinetic
 energy of the difference (largest: the worst); restitution seen at the one contact; energy after; spins. Shares of what was before.
 ";

@@ -39,7 +39,8 @@ fn there_are_cases_of_every_kind_each_with_a_name_of_its_own() {
     let several = cases.iter().filter(|case| case.expected.answers.len() > 1).count();
     let others = cases.iter().filter(|case| !case.expected.others.is_empty()).count();
     assert!(others >= 100, "laws or conventions differ on {others}");
-    assert!(cases.len() >= 500, "{} cases", cases.len());
+    // What is asked and has no answer is left out: none may be lost without being seen.
+    assert_eq!((cases.len(), groups["on feet in space"], groups["wedge"]), (624, 16, 40), "{groups:?}");
     let names: BTreeSet<&str> = cases.iter().map(|case| case.case.as_str()).collect();
     assert_eq!(names.len(), cases.len(), "each has its own name");
     assert!(several >= 24, "{several} have several answers");
@@ -91,7 +92,7 @@ fn the_engine_agrees_with_every_case_and_closed_forms_with_it() {
         assert_eq!(group.agree, group.cases, "{}", group.group);
         let worst = group.difference.largest.expect("there are answers");
         // Rounding of both, magnified by what the numbers of a case are sensitive to.
-        assert!(worst < 1e-11, "{}: closed forms and walk differ by {worst:e}", group.group);
+        assert!(worst < 1e-14, "{}: closed forms and walk differ by {worst:e}", group.group);
     }
 }
 

@@ -18,13 +18,15 @@ const SOLIMP: &str = "0.95 0.99 0.001";
 /// plane, at its start. URDF has no world: the part is one file, what stands still the other, and comments say where the part starts.
 ///
 /// # Limits
-/// What differs from the scene is said at the head of each file. Neither format has a coefficient of restitution: where the scene has one, it
-/// is said, not written.
+/// What differs from the scene is said at the head of each file. MJCF has no coefficient of restitution: where the scene has one, it is said.
+/// Friction and restitution of URDF are in the elements that Bullet reads; other readers of URDF have their own.
 pub fn simulator_files(feeder: &Feeder, name: &str) -> Vec<(String, String)> {
     let mut made = blocks(feeder);
     let restitution = made.standing.iter().map(|one| one.restitution).fold(0.0, f64::max);
     if restitution > 0.0 {
-        made.notes.push(format!("Restitution (up to {restitution}) is not written: these formats have none"));
+        made.notes.push(format!(
+            "Restitution (up to {restitution}) is not written for MuJoCo, which has no coefficient"
+        ));
     }
     let mut files = vec![
         ("scene.mjcf.xml".to_owned(), mjcf(feeder, &made, name)),
@@ -59,7 +61,6 @@ fn mjcf(feeder: &Feeder, made: &Blocks, name: &str) -> String {
     let ((centre, angle), speed) = (made.start, feeder.start_state().twist.velocity);
     // Slides are along the axes of the world, seen from the body, which is turned.
     let (c, s) = (cos(angle), sin(angle));
-    let part_friction = made.standing.first().map_or(0.0, |one| one.friction);
     let inertia = numbers(&[body.inertia; 3]);
     let elements = html! {
         mujoco model=(name) {
@@ -73,10 +74,10 @@ fn mjcf(feeder: &Feeder, made: &Blocks, name: &str) -> String {
                 }
             }
             worldbody {
-                @for one in &made.standing {
+                @for (n, one) in made.standing.iter().enumerate() {
                     @for (i, block) in one.blocks.iter().enumerate() {
                         // Of two that touch the friction with the higher priority counts: that of what stands still.
-                        (geom(block, &format!("{}-{i}", one.name), &format!("{} 0 0", one.friction), ("1", made.half_width)))
+                        (geom(block, &format!("{n}-{}-{i}", one.name), &format!("{} 0 0", one.friction), ("1", made.half_width)))
                     }
                 }
                 body name="part" pos=(numbers(&[centre.x, 0.0, centre.y])) quat=(turned(angle)) {
@@ -85,7 +86,7 @@ fn mjcf(feeder: &Feeder, made: &Blocks, name: &str) -> String {
                     joint name="angle" type="hinge" axis="0 -1 0" {}
                     inertial pos="0 0 0" mass=(body.mass) diaginertia=(inertia) {}
                     @for (i, block) in made.part.iter().enumerate() {
-                        (geom(block, &format!("part-{i}"), &format!("{part_friction} 0 0"), ("0", made.half_width)))
+                        (geom(block, &format!("part-{i}"), "0 0 0", ("0", made.half_width)))
                     }
                 }
             }
@@ -120,11 +121,10 @@ fn turned(angle: f64) -> String {
 fn part_urdf(feeder: &Feeder, made: &Blocks, name: &str) -> String {
     let body = &feeder.part.body;
     let i = body.inertia;
-    let friction = made.standing.first().map_or(0.0, |one| one.friction);
     let elements = html! {
         robot name=(format!("{name}-part")) {
             link name="part" {
-                contact { lateral_friction value=(friction) {} }
+                contact { lateral_friction value="1" {} restitution value="1" {} }
                 inertial {
                     mass value=(body.mass) {}
                     inertia ixx=(i) ixy="0" ixz="0" iyy=(i) iyz="0" izz=(i) {}
@@ -143,19 +143,22 @@ fn plates_urdf(made: &Blocks, name: &str) -> String {
         robot name=(format!("{name}-plates")) {
             link name="plates" {}
             @for (n, one) in made.standing.iter().enumerate() {
-                link name=(format!("{}-{n}", one.name)) {
-                    contact { lateral_friction value="1" {} }
+                link name=(format!("{n}-{}", one.name)) {
+                    contact { lateral_friction value=(one.friction) {} restitution value=(one.restitution) {} }
+                    inertial { mass value="0" {} inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0" {} }
                     @for block in &one.blocks { (solid(block, "", made.half_width)) }
                 }
-                joint name=(format!("{}-{n}-stands", one.name)) type="fixed" {
+                joint name=(format!("{n}-{}-stands", one.name)) type="fixed" {
                     parent link="plates" {}
-                    child link=(format!("{}-{n}", one.name)) {}
+                    child link=(format!("{n}-{}", one.name)) {}
                 }
             }
         }
     };
-    head(made, "What stands still; where coefficients of friction are multiplied, the part's counts")
-        + &xml(elements)
+    head(
+        made,
+        "What stands still; Bullet multiplies the coefficients of both that touch, so the part has ones",
+    ) + &xml(elements)
 }
 
 /// A block of URDF: what is seen and what touches.

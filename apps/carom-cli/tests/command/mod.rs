@@ -49,6 +49,11 @@ pub(crate) fn command(words: &[&str], out: &Path) -> Command {
     command
 }
 
+/// Nothing, where whoever reads has gone.
+fn only_closed(error: std::io::Error) -> std::io::Result<()> {
+    if error.kind() == std::io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
+}
+
 /// Runs a command that reads this from stdin.
 pub(crate) fn fed(command: &mut Command, input: &str) -> Said {
     let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -56,7 +61,8 @@ pub(crate) fn fed(command: &mut Command, input: &str) -> Said {
     let mut stdin = child.stdin.take().unwrap();
     // It answers while it reads: whoever writes everything first would wait for a pipe that is full.
     std::thread::scope(|scope| {
-        scope.spawn(move || stdin.write_all(input.as_bytes()).unwrap());
+        // What refuses its options reads nothing, and the pipe may be closed by then.
+        scope.spawn(move || stdin.write_all(input.as_bytes()).or_else(only_closed).unwrap());
         child.wait_with_output().unwrap().into()
     })
 }

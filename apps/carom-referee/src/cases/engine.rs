@@ -35,15 +35,21 @@ fn in_plane(problem: &ImpactProblem) -> Option<Expected> {
     let report = ImpactAnswerReport::new(problem, &problem.solve());
     let bodies = Bodies::of_plane(problem)?;
     let staged = report.staged.as_ref()?;
+    // Of open shares there is a whole range of answers, which no list holds.
+    if !staged.open_shares.is_empty() {
+        return None;
+    }
     let mut answers = vec![planar(report.law.as_str(), &staged.end)?];
+    let ends = || report.end_states.iter().filter_map(|end| planar(&end.hypothesis, &end.end));
+    let mut in_one_step = vec![];
     match report.outcome {
-        ImpactOutcome::Unique | ImpactOutcome::PathDependent => {}
-        ImpactOutcome::Several => {
-            // Whatever the law allows counts: the walk chose one of them.
-            answers.extend(report.end_states.iter().filter_map(|end| planar(&end.hypothesis, &end.end)));
-            let shares = staged.open_shares.iter();
-            answers.extend(shares.filter_map(|share| planar("another share of compression", &share.end)));
+        ImpactOutcome::Unique => {}
+        // The walk ends in none of the states that are consistent at the end; who solves one problem for all of it finds these.
+        ImpactOutcome::PathDependent => {
+            in_one_step.extend(ends().map(|end| Known { by: format!("in one step: {}", end.by), ..end }));
         }
+        // Whatever the law allows counts: the walk chose one of them.
+        ImpactOutcome::Several => answers.extend(ends()),
         ImpactOutcome::None | ImpactOutcome::Unresolved | ImpactOutcome::Found | ImpactOutcome::NotFound => {
             return None;
         }
@@ -55,8 +61,8 @@ fn in_plane(problem: &ImpactProblem) -> Option<Expected> {
         // Several contacts have their own law, whatever is asked.
         (told.law.0 == *law).then(|| planar(law.word(), &told.staged?.end))?
     });
-    let others = if report.sharing.is_empty() { laws.collect() } else { shared.collect() };
-    Some(distinct(&bodies, answers, others))
+    in_one_step.extend(if report.sharing.is_empty() { laws.collect::<Vec<_>>() } else { shared.collect() });
+    Some(distinct(&bodies, answers, in_one_step))
 }
 
 fn in_space(problem: &SpatialImpactProblem) -> Option<Expected> {

@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from carom._carom import referee_cases, referee_judge
+from carom._given import as_json
 from carom.errors import CaromError
 from carom.referee.engines import ENGINES, Answer, Case, ask, installed
 
@@ -84,13 +85,12 @@ class Judged:
 
 
 def cases(group: str | None = None) -> list[Case]:
-    """The cases, as dictionaries; with ``group`` those whose group has this in its name.
+    """The cases, as dictionaries; with ``group`` those of that group, or those that have it in their group's name.
 
     Each has ``case`` (its name), ``group``, ``impact`` or ``scene`` (what is asked, in plain SI numbers), ``expected`` with ``answers`` and
     ``others``, ``tolerance`` and ``source``; a drop has ``world`` too, the scene laid out. They are the same ones each time.
     """
-    every: list[Case] = [json.loads(line) for line in referee_cases().splitlines()]
-    return [case for case in every if group is None or group in case["group"]]
+    return [json.loads(line) for line in referee_cases(group).splitlines()]
 
 
 def judge(
@@ -108,9 +108,10 @@ def judge(
     """
     texts: list[tuple[str, str]]
     if isinstance(answers, Mapping):
-        texts = [(str(name), _lines({**answer, "engine": answer.get("engine", name)} for answer in given)) for name, given in answers.items()]
+        texts = [(str(name), _lines(_signed(str(name), given))) for name, given in answers.items()]
     else:
-        texts = [(os.fspath(path), _read(path)) for path in answers]
+        paths = [answers] if isinstance(answers, str | os.PathLike) else answers
+        texts = [(os.fspath(path), _read(path)) for path in paths]
     if within is not None and not 0 <= within <= 1:
         raise CaromError(f"within = {within}: a share from 0 to 1 is asked")
     said, text = referee_judge(texts, None if cases is None else ("cases", _lines(cases)), within)
@@ -118,9 +119,19 @@ def judge(
     return Judged([_engine(engine) for engine in report["engines"]], said, text)
 
 
+def _signed(name: str, given: object) -> list[Answer]:
+    """Answers with the engine's name."""
+    if not isinstance(given, Iterable) or isinstance(given, str | Mapping):
+        raise CaromError(f"{name}: a list of answers is asked, not {type(given).__name__}")
+    return [{"engine": name, **one} if isinstance(one, Mapping) else _no_object(name, one) for one in given]
+
+
+def _no_object(name: str, given: object) -> Answer:
+    raise CaromError(f"{name}: each is a dictionary, not {type(given).__name__}: {given!r:.100}")
+
+
 def _lines(objects: Iterable[Mapping[str, Any]]) -> str:
-    # What is no number is refused as such: JSON has no word for it.
-    return "".join(json.dumps(one, allow_nan=True) + "\n" for one in objects)
+    return "".join(as_json(one) + "\n" for one in objects)
 
 
 def _read(path: str | os.PathLike[str]) -> str:

@@ -31,6 +31,10 @@ def main() -> int:
     parser.add_argument("--out", type=Path, help="where cases and answers are kept")
     words = parser.parse_args()
     engines = words.engine or referee.installed()
+    names = [engine.partition("=")[0] for engine in engines]
+    if len(set(names)) < len(names):
+        print("two engines have one name", file=sys.stderr)
+        return 2
     if not engines:
         print(f"no engine is installed: {', '.join(referee.ENGINES)} can be asked, or NAME=COMMAND", file=sys.stderr)
         return 1
@@ -38,19 +42,26 @@ def main() -> int:
         cases = referee.cases(words.group)
         if not cases:
             raise CaromError(f"no group of cases has {words.group!r} in its name")
-        answers = {}
-        for engine in engines:
-            print(f"asking {engine.partition('=')[0]} …", file=sys.stderr)
-            answers[engine.partition("=")[0]] = referee.ask(engine, cases)
         if words.out:
             _written(words.out, "cases.jsonl", cases)
-            for name, given in answers.items():
-                _written(words.out, f"{name}.jsonl", given)
-        print(referee.judge(answers, cases, within=words.within), end="")
+        answers, failed = {}, 0
+        for name, engine in zip(names, engines, strict=True):
+            print(f"asking {name} …", file=sys.stderr)
+            try:
+                answers[name] = referee.ask(engine, cases)
+            except CaromError as error:
+                # The others are asked all the same.
+                print(error, file=sys.stderr)
+                failed = 1
+                continue
+            if words.out:
+                _written(words.out, "".join(c if c.isalnum() or c in "._-" else "-" for c in name).strip(".") + ".jsonl", answers[name])
+        if answers:
+            print(referee.judge(answers, cases, within=words.within), end="")
+        return failed
     except (CaromError, OSError) as error:
         print(error, file=sys.stderr)
         return 1
-    return 0
 
 
 if __name__ == "__main__":

@@ -2,7 +2,8 @@
 
 Every adapter is a module with ``VERSION``, ``impact(question) -> list[Twist]`` and ``drop(world) -> str``, and raises :class:`Refused`
 where the engine has no such thing. An engine that steps through time is given the bodies one step before they touch, each contact as a
-small sphere (a circle in the plane) that meets its own obstacle and nothing else, and is watched until the contacts have done their work.
+small sphere (a circle in the plane) that meets its own obstacle and nothing else, and is watched until the contacts have done their work. In a drop the upper plate is taken away once the part has left it: blocks that stand for
+plates are thicker than these.
 """
 
 from __future__ import annotations
@@ -80,15 +81,24 @@ def _answer(module: Any, case: Case) -> Answer:
         twists: list[Twist] = module.impact(question)
     except Refused as refused:
         return {"refused": str(refused)}
+    except Exception as error:  # noqa: BLE001 - whatever an engine raises is its answer to this case
+        return {"refused": f"{type(error).__name__}: {error}"[:200]}
     numbers = [number for twist in twists for number in (*twist.velocity, *twist.spin)]
     if not all(isfinite(number) for number in numbers):
         return {"refused": "the engine's answer is no number"}
     return {"bodies": [question.written(twist) for twist in twists]}
 
 
+#: Seconds that a program may take for all cases.
+PATIENCE = 3600.0
+
+
 def _program(name: str, command: str, cases: list[Case]) -> list[Answer]:
     lines = "".join(json.dumps(case) + "\n" for case in cases)
-    done = subprocess.run(command, shell=True, input=lines, capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(command, shell=True, input=lines, capture_output=True, text=True, encoding="utf-8", errors="replace", check=False, timeout=PATIENCE)
+    except subprocess.TimeoutExpired as error:
+        raise CaromError(f"{name}: `{command}` did not end within {PATIENCE:.0f} s") from error
     if done.returncode != 0:
         raise CaromError(f"{name}: `{command}` ended with {done.returncode}: {done.stderr.strip()[-500:]}")
     answers = []

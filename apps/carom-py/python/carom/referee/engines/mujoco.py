@@ -4,7 +4,7 @@ may pull, ``ζ = -ln e / √(π² + ln² e)``, which is often given, returns too
 
 | | time constant | impedance |
 |---|---|---|
-| impact, e = 0 | 40 steps, damping ratio 3 | 0.95 to 0.99 |
+| impact, e = 0 | 40 steps, damping ratio 100 | 0.9999 |
 | impact, e > 0 | 40 steps, damping ratio by e | 0.9999 |
 | drop | 16 steps, damping ratio 3 | 0.95 to 0.99 |
 """
@@ -52,7 +52,7 @@ def damping_for(restitution: float) -> float:
 def _contact(contact: Contact) -> str:
     """How hard a contact is."""
     if contact.restitution <= 0.0:
-        return SOFT.format(40 * STEP)
+        return f'solref="{40 * STEP} 100" solimp="0.9999 0.9999 0.001"'
     damping = damping_for(contact.restitution)
     # Time constant and damping ratio of a linear spring; it works at full impedance, and is not hardened where it is pressed in.
     frequency = 1.0 / (40 * STEP)
