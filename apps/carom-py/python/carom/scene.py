@@ -115,6 +115,7 @@ class Scene:
         """The scene for other engines, as texts by the names of their files: ``scene.mjcf.xml`` for MuJoCo, ``part.urdf``, ``plates.urdf`` and the
         meshes of the part for Bullet, Drake and others. What differs from the scene is said at the head of each file.
 
+        >>> import carom
         >>> sorted(carom.Scene.read("examples/case_2_box.toml").simulators())
         ['part-0.obj', 'part.urdf', 'plates.urdf', 'scene.mjcf.xml']
         """
