@@ -8,7 +8,7 @@ from importlib import import_module
 from typing import Any
 
 from carom.referee.engines.drop import Drop
-from carom.referee.engines.question import Body, Patience, Question, Refused, Twist
+from carom.referee.engines.question import Body, Question, Refused, Twist, settled
 
 SCALE = 100.0
 STEP, DROP_STEP = 1e-5, 2e-3
@@ -64,13 +64,7 @@ def impact(question: Question) -> list[Twist]:
         moving = [(made.linearVelocity, made.angularVelocity) for made in bodies]
         return [Twist((v[0] / SCALE, v[1] / SCALE, 0.0), (0.0, 0.0, w)) for v, w in moving]
 
-    patience = Patience(question, PATIENCE)
-    for _ in range(MOST_STEPS):
-        world.Step(STEP, *ITERATIONS)
-        done = patience.sees(twists())
-        if done:
-            return done
-    return twists()
+    return settled(question, lambda: world.Step(STEP, *ITERATIONS), twists, MOST_STEPS, PATIENCE)
 
 
 def drop(given: dict[str, Any]) -> str:
@@ -90,13 +84,13 @@ def drop(given: dict[str, Any]) -> str:
     half = tuple(SCALE * side for side in drop.half)
     part.CreateFixture(shape=b2.b2PolygonShape(box=half), density=1.0, friction=drop.lower.friction, restitution=drop.lower.restitution)
     part.massData = b2.b2MassData(mass=drop.mass, center=(0, 0), I=drop.inertia * SCALE**2)
-    for _ in range(drop.looks_at_most(DROP_STEP)):
-        for _ in range(drop.steps(DROP_STEP)):
+
+    def advance(steps: int) -> None:
+        for _ in range(steps):
             world.Step(DROP_STEP, *DROP_ITERATIONS)
-        (x, y), angle = part.position, part.angle
-        verdict = drop.sees_verdict(angle, part.angularVelocity)
-        if verdict:
-            return verdict
-        if drop.sees_release(x / SCALE, y / SCALE, angle):
-            ground.DestroyFixture(upper)
-    return "none"
+
+    def look() -> tuple[float, float, float, float]:
+        x, y = part.position
+        return x / SCALE, y / SCALE, part.angle, part.angularVelocity
+
+    return drop.followed(DROP_STEP, advance, look, lambda: ground.DestroyFixture(upper))

@@ -5,9 +5,10 @@ asked."""
 from __future__ import annotations
 
 from importlib import import_module
+from itertools import count
 from typing import Any
 
-from carom.referee.engines.question import Patience, Question, Refused, Twist
+from carom.referee.engines.question import Question, Refused, Twist, settled
 
 STEP = 1e-5
 RADIUS = 0.005
@@ -30,13 +31,8 @@ def impact(question: Question) -> list[Twist]:
             found.append(Twist((float(v[0]), float(v[1]), float(v[2])), (float(w[0]), float(w[1]), float(w[2]))))
         return found
 
-    patience = Patience(question, PATIENCE)
-    for number in range(1, MOST_STEPS + 1):
-        simulator.AdvanceTo(number * STEP)
-        done = patience.sees(twists())
-        if done:
-            return done
-    return twists()
+    instants = (number * STEP for number in count(1))
+    return settled(question, lambda: simulator.AdvanceTo(next(instants)), twists, MOST_STEPS, PATIENCE)
 
 
 def drop(_world: dict[str, Any]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -63,13 +64,19 @@ class Drop:
         """Half the sides of the part, which is a box."""
         return max(x for x, _ in self.corners), max(y for _, y in self.corners)
 
-    def steps(self, step: float) -> int:
-        """How many steps there are between two looks."""
-        return max(1, round(LOOK_EVERY / step))
-
-    def looks_at_most(self, step: float) -> int:
-        """How often an engine is looked at."""
-        return round(LIMIT / (self.steps(step) * step))
+    def followed(self, step: float, advance: Callable[[int], object], look: Callable[[], tuple[float, float, float, float]], release: Callable[[], object]) -> str:
+        """The verdict of an engine that is stepped: ``advance`` goes on so many steps, ``look`` tells the part's place, angle and spin, ``release`` takes
+        the upper plate away. ``none`` where the part does not lie in time."""
+        steps = max(1, round(LOOK_EVERY / step))
+        for _ in range(round(LIMIT / (steps * step))):
+            advance(steps)
+            x, y, angle, spin = look()
+            verdict = self.sees_verdict(angle, spin)
+            if verdict:
+                return verdict
+            if self.sees_release(x, y, angle):
+                release()
+        return "none"
 
     def sees_release(self, x: float, y: float, angle: float) -> bool:
         """True once: when the part has left the upper plate's edge."""

@@ -16,7 +16,7 @@ from importlib import import_module
 from typing import Any
 
 from carom.referee.engines.drop import Drop
-from carom.referee.engines.question import Contact, Patience, Question, Refused, Twist
+from carom.referee.engines.question import Contact, Question, Refused, Twist, settled
 
 STEP, DROP_STEP = 2e-6, 5e-5
 RADIUS, REACH, WIDTH = 0.005, 0.5, 0.01
@@ -103,13 +103,7 @@ def impact(question: Question) -> list[Twist]:
             found.append(Twist((float(velocity[0]), float(velocity[1]), float(velocity[2])), (float(turned[0]), float(turned[1]), float(turned[2]))))
         return found
 
-    patience = Patience(question, PATIENCE)
-    for _ in range(MOST_STEPS):
-        mj.mj_step(model, data)
-        done = patience.sees(twists())
-        if done:
-            return done
-    return twists()
+    return settled(question, lambda: mj.mj_step(model, data), twists, MOST_STEPS, PATIENCE)
 
 
 def drop(given: dict[str, Any]) -> str:
@@ -142,13 +136,12 @@ def drop(given: dict[str, Any]) -> str:
     data = mj.MjData(model)
     data.qpos[:] = [*drop.start, drop.start_angle]
     upper = model.geom("upper").id
-    steps = drop.steps(DROP_STEP)
-    for _ in range(drop.looks_at_most(DROP_STEP)):
-        mj.mj_step(model, data, steps)
+
+    def release() -> None:
+        model.geom_contype[upper] = model.geom_conaffinity[upper] = 0
+
+    def look() -> tuple[float, float, float, float]:
         x, y, angle = (float(q) for q in data.qpos)
-        verdict = drop.sees_verdict(angle, float(data.qvel[2]))
-        if verdict:
-            return verdict
-        if drop.sees_release(x, y, angle):
-            model.geom_contype[upper] = model.geom_conaffinity[upper] = 0
-    return "none"
+        return x, y, angle, float(data.qvel[2])
+
+    return drop.followed(DROP_STEP, lambda steps: mj.mj_step(model, data, steps), look, release)

@@ -9,7 +9,7 @@ from importlib import import_module
 from typing import Any
 
 from carom.referee.engines.drop import Drop, Plate
-from carom.referee.engines.question import Body, Contact, Patience, Question, Refused, Twist, Vector, added, dot, less, times
+from carom.referee.engines.question import Body, Contact, Question, Refused, Twist, Vector, added, dot, less, times, settled
 
 SCALE = 10.0
 STEP, DROP_STEP = 1e-5, 1 / 240
@@ -60,13 +60,7 @@ def impact(question: Question) -> list[Twist]:
             moving = [world.call("getBaseVelocity", body) for body in made]
             return [Twist((v[0] / SCALE, v[1] / SCALE, v[2] / SCALE), (w[0], w[1], w[2])) for v, w in moving]
 
-        patience = Patience(question, PATIENCE)
-        for _ in range(MOST_STEPS):
-            world.call("stepSimulation")
-            done = patience.sees(twists())
-            if done:
-                return done
-        return twists()
+        return settled(question, lambda: world.call("stepSimulation"), twists, MOST_STEPS, PATIENCE)
 
 
 def _plane(contact: Contact) -> tuple[float, ...]:
@@ -116,14 +110,13 @@ def drop(given: dict[str, Any]) -> str:
         part = block(drop.half, drop.start, drop.start_angle, drop.mass, drop.lower.friction)
         inertia = [drop.inertia * SCALE**2] * 3
         world.call("changeDynamics", part, -1, localInertiaDiagonal=inertia, linearDamping=0, angularDamping=0)
-        for _ in range(drop.looks_at_most(DROP_STEP)):
-            for _ in range(drop.steps(DROP_STEP)):
+
+        def advance(steps: int) -> None:
+            for _ in range(steps):
                 world.call("stepSimulation")
+
+        def look() -> tuple[float, float, float, float]:
             (x, y, _), (_, _, qz, qw) = world.call("getBasePositionAndOrientation", part)
-            angle = 2 * math.atan2(qz, qw)
-            verdict = drop.sees_verdict(angle, world.call("getBaseVelocity", part)[1][2])
-            if verdict:
-                return verdict
-            if drop.sees_release(x / SCALE, y / SCALE, angle):
-                world.call("removeBody", upper)
-        return "none"
+            return x / SCALE, y / SCALE, 2 * math.atan2(qz, qw), world.call("getBaseVelocity", part)[1][2]
+
+        return drop.followed(DROP_STEP, advance, look, lambda: world.call("removeBody", upper))

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import Any
 
 from carom.referee.engines.drop import Drop
-from carom.referee.engines.question import Patience, Question, Refused, Twist
+from carom.referee.engines.question import Question, Refused, Twist, settled
 
 STEP, DROP_STEP = 1e-5, 1e-3
 ITERATIONS, DROP_ITERATIONS = 200, 50
@@ -66,13 +66,7 @@ def impact(question: Question) -> list[Twist]:
     def twists() -> list[Twist]:
         return [Twist((made.velocity[0], made.velocity[1], 0.0), (0.0, 0.0, made.angular_velocity)) for made in bodies]
 
-    patience = Patience(question, PATIENCE)
-    for _ in range(MOST_STEPS):
-        space.step(STEP)
-        done = patience.sees(twists())
-        if done:
-            return done
-    return twists()
+    return settled(question, lambda: space.step(STEP), twists, MOST_STEPS, PATIENCE)
 
 
 def drop(given: dict[str, Any]) -> str:
@@ -94,13 +88,9 @@ def drop(given: dict[str, Any]) -> str:
     shape = pm.Poly(part, drop.corners)
     shape.friction, shape.elasticity = 1.0, 1.0
     space.add(part, shape)
-    for _ in range(drop.looks_at_most(DROP_STEP)):
-        for _ in range(drop.steps(DROP_STEP)):
+
+    def advance(steps: int) -> None:
+        for _ in range(steps):
             space.step(DROP_STEP)
-        verdict = drop.sees_verdict(part.angle, part.angular_velocity)
-        if verdict:
-            return verdict
-        x, y = part.position
-        if drop.sees_release(x, y, part.angle):
-            space.remove(upper)
-    return "none"
+
+    return drop.followed(DROP_STEP, advance, lambda: (*part.position, part.angle, part.angular_velocity), lambda: space.remove(upper))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -127,6 +128,17 @@ class Patience:
         if still:
             return twists
         return self.first if self.waited > self.patience else None
+
+
+def settled(question: Question, step: Callable[[], object], twists: Callable[[], list[Twist]], most: int, patience: int) -> list[Twist]:
+    """The bodies once their contacts have done their work: an engine is stepped until then, so many times at most."""
+    watch = Patience(question, patience)
+    for _ in range(most):
+        step()
+        done = watch.sees(twists())
+        if done:
+            return done
+    return twists()
 
 
 def _three(numbers: Any) -> Vector:
