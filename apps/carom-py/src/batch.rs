@@ -1,19 +1,16 @@
 //! Many impacts of a body at several contacts in one call.
 
 use crate::failure::of_words;
-use crate::given::{Given, Values, at, rows};
+use crate::given::{self, ANY, Given, POSITIVE, Values, at, rows};
 use crate::table::{Data, Named, Table};
 use crate::watch::long;
 use carom_impact::planar::{Law, Touch};
 use carom_num::Vec2;
 use carom_scene::{ImpactAnswerReport, ImpactBody, ImpactOutcome, ImpactProblem};
-use carom_words::Words;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::INFINITY];
 /// What is given of the body.
 const BODY: [(&str, [f64; 2]); 5] =
     [("mass", POSITIVE), ("inertia", POSITIVE), ("velocity[0]", ANY), ("velocity[1]", ANY), ("spin", ANY)];
@@ -54,11 +51,7 @@ pub(crate) fn impact_batch(
     law: &str,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
-    let laws = [Law::Poisson, Law::Stronge, Law::Newton];
-    let Some(law) = laws.into_iter().find(|known| known.word() == law) else {
-        let words = laws.map(|law| law.word()).join(", ");
-        return Err(of_words(py, &format!("law: \"{law}\" is none of {words}")));
-    };
+    let law = given::law(py, law)?;
     let values: Vec<Values<'_>> = columns.iter().map(PyReadonlyArray1::as_array).collect();
     let body = BODY.iter().map(|(name, allowed)| ((*name).to_owned(), *allowed));
     let of_contact = |i: usize| CONTACT.map(|(name, allowed)| (name.replace('#', &i.to_string()), allowed));

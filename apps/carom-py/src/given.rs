@@ -3,7 +3,9 @@
 use crate::failure::{of_input, of_words};
 use crate::watch::pool;
 use carom::tasks;
+use carom_impact::planar::Law;
 use carom_scene::{Problem, ProblemKind, Problems, Scene};
+use carom_words::Words;
 use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -14,6 +16,19 @@ const MOST_TOLD: usize = 10;
 /// The number of the plate that is looked at: by its name or its number, the last one where none is given.
 pub(crate) fn plate(py: Python<'_>, scene: &Scene, given: Option<&str>) -> PyResult<usize> {
     tasks::plate(scene, given).map_err(|message| of_words(py, &format!("plate: {message}")))
+}
+
+/// Every finite number, and those above 0.
+pub(crate) const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+pub(crate) const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::INFINITY];
+
+/// The law of this name.
+pub(crate) fn law(py: Python<'_>, given: &str) -> PyResult<Law> {
+    let laws = [Law::Poisson, Law::Stronge, Law::Newton];
+    laws.into_iter().find(|known| known.word() == given).ok_or_else(|| {
+        let words = laws.map(|law| law.word()).join(", ");
+        of_words(py, &format!("law: \"{given}\" is none of {words}"))
+    })
 }
 
 /// The values of a column, where the array has them.

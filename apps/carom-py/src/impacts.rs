@@ -1,7 +1,7 @@
 //! Many impacts of a body at one contact in one call.
 
 use crate::failure::of_words;
-use crate::given::{Given, Values, at, rows};
+use crate::given::{self, ANY, Given, POSITIVE, Values, at, rows};
 use crate::table::{Data, Named, Table};
 use crate::watch::long;
 use carom_impact::planar::{ContactSet, ContactState, Law, Touch, single};
@@ -12,23 +12,19 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 /// The columns that are given, in their order, each with the ends of what it may be.
-const GIVEN: [(&str, [f64; 2]); 11] = {
-    let any = [f64::NEG_INFINITY, f64::INFINITY];
-    let positive = [f64::MIN_POSITIVE, f64::INFINITY];
-    [
-        ("mass", positive),
-        ("inertia", positive),
-        ("arm_x", any),
-        ("arm_y", any),
-        ("normal_x", any),
-        ("normal_y", any),
-        ("velocity_x", any),
-        ("velocity_y", any),
-        ("spin", any),
-        ("friction", [0.0, f64::INFINITY]),
-        ("restitution", [0.0, 1.0]),
-    ]
-};
+const GIVEN: [(&str, [f64; 2]); 11] = [
+    ("mass", POSITIVE),
+    ("inertia", POSITIVE),
+    ("arm_x", ANY),
+    ("arm_y", ANY),
+    ("normal_x", ANY),
+    ("normal_y", ANY),
+    ("velocity_x", ANY),
+    ("velocity_y", ANY),
+    ("spin", ANY),
+    ("friction", [0.0, f64::INFINITY]),
+    ("restitution", [0.0, 1.0]),
+];
 /// The columns that come out, with their units.
 const FOUND: [(&str, &str); 11] = [
     ("normal_impulse_N_s", "N s"),
@@ -62,11 +58,7 @@ pub(crate) fn impacts(
     law: &str,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
-    let laws = [Law::Poisson, Law::Stronge, Law::Newton];
-    let Some(law) = laws.into_iter().find(|known| known.word() == law) else {
-        let words = laws.map(|law| law.word()).join(", ");
-        return Err(of_words(py, &format!("law: \"{law}\" is none of {words}")));
-    };
+    let law = given::law(py, law)?;
     let values: Vec<Values<'_>> = columns.iter().map(PyReadonlyArray1::as_array).collect();
     let given = GIVEN.iter().zip(&values);
     let given: Vec<Given<'_>> = given

@@ -36,6 +36,34 @@ pub struct Case {
     pub source: String,
 }
 
+impl Case {
+    /// An impact, with what is known of it.
+    pub(crate) fn of_impact(
+        (group, case): (&str, String),
+        impact: Value,
+        expected: Expected,
+        source: &str,
+    ) -> Self {
+        Self {
+            case,
+            group: group.to_owned(),
+            impact: Some(impact),
+            scene: None,
+            world: None,
+            expected,
+            tolerance: AGREES,
+            source: source.to_owned(),
+        }
+    }
+}
+
+impl Known {
+    /// Motions after an impact, and who says so.
+    pub(crate) fn after(by: &str, bodies: Vec<Body>) -> Self {
+        Self { by: by.to_owned(), bodies, verdict: None }
+    }
+}
+
 fn agrees() -> f64 {
     AGREES
 }

@@ -2,7 +2,7 @@
 
 use crate::case::{Body, Case, Expected, Known, Spin};
 use crate::motion::Bodies;
-use crate::tolerance::{AGREES, SAME};
+use crate::tolerance::SAME;
 use carom_impact::planar::Law;
 use carom_scene::{
     AnyImpact, EndReport, ImpactAnswerReport, ImpactOutcome, ImpactProblem, SpatialImpactEndReport,
@@ -19,16 +19,7 @@ pub(super) fn case(group: &str, name: String, impact: Value) -> Option<Case> {
         }
         AnyImpact::Spatial(problem) => (in_space(&problem)?, "Carom's walk through impulse space, in space"),
     };
-    Some(Case {
-        case: name,
-        group: group.to_owned(),
-        impact: Some(impact),
-        scene: None,
-        world: None,
-        expected,
-        tolerance: AGREES,
-        source: source.to_owned(),
-    })
+    Some(Case::of_impact((group, name), impact, expected, source))
 }
 
 fn in_plane(problem: &ImpactProblem) -> Option<Expected> {
@@ -111,7 +102,7 @@ fn planar(by: &str, end: &EndReport) -> Option<Known> {
         Some(body) => vec![alone(body)],
         None => end.bodies.iter().map(|body| alone((body.velocity_m_s, body.spin_rad_s))).collect(),
     };
-    (!bodies.is_empty()).then(|| Known { by: by.to_owned(), bodies, verdict: None })
+    (!bodies.is_empty()).then(|| Known::after(by, bodies))
 }
 
 fn spatial(by: &str, end: &SpatialImpactEndReport) -> Option<Known> {
@@ -123,5 +114,5 @@ fn spatial(by: &str, end: &SpatialImpactEndReport) -> Option<Known> {
         Some(body) => vec![alone(body)],
         None => end.bodies.iter().map(|body| alone((body.velocity_m_s, body.spin_rad_s))).collect(),
     };
-    (!bodies.is_empty()).then(|| Known { by: by.to_owned(), bodies, verdict: None })
+    (!bodies.is_empty()).then(|| Known::after(by, bodies))
 }

@@ -4,7 +4,6 @@ use super::engine::distinct;
 use super::{Draw, named};
 use crate::case::{Body, Case, Known, Spin};
 use crate::motion::Bodies;
-use crate::tolerance::AGREES;
 use carom_num::elementary::{cos, sin};
 use carom_scene::ImpactProblem;
 use carom_theory::free_body::{FreeBody, PlanarVelocity, contact_velocity, into_contact_frame};
@@ -74,23 +73,13 @@ fn case(group: &str, number: usize, (law, impact): (Law, Value)) -> Option<Case>
     let problem = ImpactProblem::parse_json(&name, &impact.to_string()).ok()?;
     let bodies = Bodies::of_plane(&problem)?;
     let known = |(law, word): &(Law, &str)| -> Option<Known> {
-        let bodies = vec![after(&problem, *law)?];
-        Some(Known { by: (*word).to_owned(), bodies, verdict: None })
+        Some(Known::after(word, vec![after(&problem, *law)?]))
     };
     let (asked, beside): (Vec<_>, Vec<_>) = LAWS.iter().partition(|(other, _)| *other == law);
     let answers = asked.into_iter().map(known).collect::<Option<Vec<_>>>()?;
     let others = beside.into_iter().map(known).collect::<Option<Vec<_>>>()?;
     let expected = distinct(&bodies, answers, others);
-    Some(Case {
-        case: name,
-        group: group.to_owned(),
-        impact: Some(impact),
-        scene: None,
-        world: None,
-        expected,
-        tolerance: AGREES,
-        source: SOURCE.to_owned(),
-    })
+    Some(Case::of_impact((group, name), impact, expected, SOURCE))
 }
 
 /// The body after, by the closed forms.
