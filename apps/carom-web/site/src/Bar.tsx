@@ -3,6 +3,7 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { save, stem } from "./download";
+import { hosted } from "./host";
 import { linkOf } from "./link";
 import type { Doc } from "./engine/protocol";
 import { film, filmed, stopFilm } from "./record/record";
@@ -155,9 +156,11 @@ export function Bar() {
       <button type="button" id="redo" disabled={!canRedo.value} title="Ctrl+Shift+Z" onClick={() => void redo()}>
         Redo
       </button>
-      <button type="button" onClick={() => void link()}>
-        {copied}
-      </button>
+      {!hosted && (
+        <button type="button" onClick={() => void link()}>
+          {copied}
+        </button>
+      )}
     </header>
   );
 }

@@ -17,7 +17,7 @@ export async function linkOf(doc: Doc): Promise<string> {
   return MARK + btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-function isDoc(value: unknown): value is Doc {
+export function isDoc(value: unknown): value is Doc {
   if (typeof value !== "object" || value === null) return false;
   const { name, text, files } = value as Record<string, unknown>;
   if (typeof files !== "object" || files === null) return false;

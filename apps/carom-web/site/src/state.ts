@@ -1,8 +1,9 @@
 // What the page knows: the scene, its history, the last answer about it.
 
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { Engine, EngineDied } from "./engine/engine";
 import type { Ask, Change, Doc, Failure, Frame, Limit, Pair, Quantity, Reply, Window } from "./engine/protocol";
+import { given as byHost, hosted, later, tell } from "./host";
 import { docOf, linkOf, served } from "./link";
 import { lessonOf } from "./lessons/lessons";
 import { first } from "./scenes";
@@ -71,7 +72,7 @@ function take(next: Doc, reply: Reply, tried: string, keep: "remember" | "replac
   // A look at the same scene, at every frame of a pan, is no new scene: its link and its limits stay.
   if (another || next.files !== doc.value.files || !marked) {
     doc.value = { ...next, text };
-    void linkOf(doc.value).then((link) => history.replaceState(null, "", link));
+    if (!hosted) void linkOf(doc.value).then((link) => history.replaceState(null, "", link));
     void searchLimits(reply.kind === "scene" ? (reply.quantities ?? []) : []);
   }
   if (reply.sections !== undefined || reply.lab !== undefined || reply.failure !== undefined) whole.value = reply;
@@ -305,21 +306,34 @@ async function searchLimits(all: Quantity[]): Promise<void> {
   }
 }
 
-/** Opens what `carom studio` or the address gives, else the first example. */
+/** Opens what the page around, `carom studio` or the address gives, else the first example. */
 export async function begin(): Promise<void> {
   let start = first;
   try {
-    const given = (await served(location.hash)) ?? lessonOf(location.hash) ?? (await docOf(location.hash));
+    const given = hosted ? await byHost() : ((await served(location.hash)) ?? lessonOf(location.hash) ?? (await docOf(location.hash)));
     if (given === undefined && location.hash.length > 1) throw new Error("neither a file, a lesson nor a token");
     start = given ?? first;
   } catch {
     notice.value = "The link is damaged: it holds no scene that can be read. Here is an example instead.";
   }
-  // A scene with problems is shown as text, with its problems.
-  if (!(await open(start, "replace")) && start !== first) {
-    const wrong = failure.value;
-    await open(first, "replace");
-    [doc.value, failure.value] = [{ ...doc.value, name: start.name, files: start.files }, wrong === undefined ? undefined : { ...wrong, tried: "text" }];
-    broken.value = start.text;
-  }
+  await begun(start);
+  if (!hosted) return;
+  later((next) => void follow(next));
+  effect(() => void tell(doc.value));
+}
+
+/** Opens the first file. One with problems is shown as text, with its problems. */
+async function begun(start: Doc): Promise<void> {
+  if ((await open(start, "replace")) || start === first) return;
+  const wrong = failure.value;
+  await open(first, "replace");
+  [doc.value, failure.value] = [{ ...doc.value, name: start.name, files: start.files }, wrong === undefined ? undefined : { ...wrong, tried: "text" }];
+  broken.value = start.text;
+}
+
+/** Takes a file that the page around changed. */
+async function follow({ name, text, files }: Doc): Promise<void> {
+  const here = doc.value;
+  if (name !== here.name || JSON.stringify(files) !== JSON.stringify(here.files)) await open({ name, text, files });
+  else await typed(text);
 }
