@@ -59,8 +59,9 @@ cargo xtask COMMAND
   studio                    builds the studio: the engine as WebAssembly, and the site around it; needs Node.js
                             and a standard library for wasm32-unknown-unknown, and says so where they are missing
   studio check              the same, and its tests in Chromium
-  python check              builds the package for Python, installs it into an environment of its own, and tries
-                            it there; needs Python 3.11 and what pip fetches
+  python wheels             builds the wheels for Python, with the studio in them, into target/wheels; needs what
+                            `studio` needs, Python 3.11 and what pip fetches
+  python check              builds the first of them, installs it into an environment of its own, and tries it there
   c check                   builds the libraries for C, and compiles, links and tries programs in C with both;
                             needs a C compiler, and uses c++ and valgrind where they are there
   help                      this page
@@ -87,7 +88,8 @@ const BOOK: Step = Step { name: "book", run: book::write };
 /// Chores of their own: they need more than Rust.
 const STUDIO: [Step; 2] =
     [Step { name: "studio", run: studio::build }, Step { name: "studio", run: studio::check }];
-const PYTHON: Step = Step { name: "python", run: python::check };
+const PYTHON: [Step; 2] =
+    [Step { name: "python", run: python::wheels }, Step { name: "python", run: python::check }];
 const C: Step = Step { name: "c", run: c::check };
 const DIGEST_WASM: Step = Step { name: "digest wasm", run: digest::check_wasm };
 
@@ -150,7 +152,8 @@ fn task(words: &[&str]) -> Result<Task, String> {
             Ok(Task::Run(STEPS.iter().filter(|step| step.name == *name).collect()))
         }
         ["digest", "wasm"] => Ok(Task::Run(vec![&DIGEST_WASM])),
-        ["python", "check"] => Ok(Task::Run(vec![&PYTHON])),
+        ["python", "wheels"] => Ok(Task::Run(vec![&PYTHON[0]])),
+        ["python", "check"] => Ok(Task::Run(vec![&PYTHON[1]])),
         ["c", "check"] => Ok(Task::Run(vec![&C])),
         ["book"] => Ok(Task::Run(vec![&BOOK])),
         ["book", "check"] => Ok(Task::Run(STEPS.iter().filter(|step| step.name == "book").collect())),

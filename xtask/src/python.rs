@@ -1,18 +1,69 @@
 //! The package for Python: built as a wheel, installed into an environment of its own, and tried there.
 
-use crate::steps::{cargo, said_by};
+use crate::steps::{cargo, cargo_program, said_by};
+use crate::studio;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const PACKAGE: &str = "apps/carom-py";
-/// What its tests need beside it.
-const TESTS: &str = "apps/carom-py[derive,test]";
+/// The studio's page within the package, for notebooks.
+const PAGE: &str = "apps/carom-py/python/carom/carom-studio.html";
+const WHEELS: &str = "target/wheels";
+const MATURIN: &str = "maturin>=1.16,<2";
+/// The first interpreter without a lock that the bridge to Python knows.
+const FREE_THREADED: &str = "3.14t";
 /// Tests of derivations, as the folder of the package names them.
 const DERIVED: [&str; 3] = [
     "tests/test_derive.py",
     "tests/test_derive_engine.py",
     "tests/test_notebooks.py::test_simultaneous_collisions",
 ];
+
+/// Builds the wheels, with the studio in them; the note says where they are.
+pub(crate) fn wheels(root: &Path) -> Result<String, String> {
+    let own = environment(root)?;
+    let each = [wheel(root, &own)?, free_threaded(root, &own)?];
+    Ok(each.map(|wheel| format!("{WHEELS}/{wheel}")).join("\n"))
+}
+
+/// Builds the wheel that every interpreter from 3.11 on takes: its name.
+fn wheel(root: &Path, own: &Path) -> Result<String, String> {
+    let page = root.join(studio::page(root)?);
+    std::fs::copy(&page, root.join(PAGE)).map_err(|problem| format!("{}: {problem}", page.display()))?;
+    built(maturin(root, own)?)
+}
+
+/// Builds the wheel for interpreters without a lock. None has to be on this machine: what it has to know of one, maturin knows.
+fn free_threaded(root: &Path, own: &Path) -> Result<String, String> {
+    let mut rustc = Command::new("rustc");
+    rustc.arg("-vV");
+    let said = said_by(rustc)?;
+    let host = said.lines().find_map(|line| line.strip_prefix("host: ")).unwrap_or_default();
+    let mut command = maturin(root, own)?;
+    command.args(["--interpreter", &format!("python{FREE_THREADED}"), "--target", host]);
+    command.env("PYO3_CROSS", "1").env("PYO3_CROSS_PYTHON_VERSION", FREE_THREADED);
+    built(command)
+}
+
+/// `maturin build`, of an environment that has it.
+fn maturin(root: &Path, own: &Path) -> Result<Command, String> {
+    let program = |name: &str| own.join("bin").join(name);
+    said(root, &program("pip"), &["install", "--quiet", MATURIN])?;
+    let mut command = Command::new(program("maturin"));
+    command.args(["build", "--release", "--locked", "--out"]).arg(root.join(WHEELS));
+    command.current_dir(root.join(PACKAGE)).env("CARGO", cargo_program());
+    Ok(command)
+}
+
+/// Runs maturin: the name of the wheel that it says it built.
+fn built(command: Command) -> Result<String, String> {
+    let said = said_by(command)?;
+    let wheel = said
+        .lines()
+        .rev()
+        .find_map(|line| line.rsplit(['/', '\\']).next().filter(|name| name.ends_with(".whl")));
+    wheel.map(str::to_owned).ok_or_else(|| format!("maturin names no wheel:\n{said}"))
+}
 
 /// Builds, installs and tries it; the note has what was measured.
 pub(crate) fn check(root: &Path) -> Result<String, String> {
@@ -21,7 +72,8 @@ pub(crate) fn check(root: &Path) -> Result<String, String> {
     // The command, whose answers are compared.
     cargo(root, &["build", "--release", "--package", "carom-cli"])?;
     cargo(root, &["build", "--release", "--package", "carom-py", "--example", "impacts"])?;
-    said(root, &program("pip"), &["install", "--quiet", &format!("./{TESTS}")])?;
+    let wheel = wheel(root, &own)?;
+    said(root, &program("pip"), &["install", "--quiet", &format!("./{WHEELS}/{wheel}[derive,test]")])?;
     let python = program("python");
     said(root, &python, &[&format!("{PACKAGE}/generate.py"), "check"])?;
     let folder = root.join(PACKAGE);

@@ -6,9 +6,18 @@ use std::path::Path;
 use std::process::Command;
 
 const SITE: &str = "apps/carom-web/site";
+/// The site in one file.
+const PAGE: &str = "apps/carom-web/site/dist/single/carom-studio.html";
 
-/// Builds both modules and the site in both of its forms; the note says where they are and how large the engine is.
+/// Builds the site in both of its forms and the command that serves it; the note says where they are.
 pub(crate) fn build(root: &Path) -> Result<String, String> {
+    let page = page(root)?;
+    cargo(root, &["build", "--release", "--package", "carom-cli", "--features", "studio"])?;
+    Ok(format!("{SITE}/dist/site, a folder for any web server; {page}, one file; and `carom studio`"))
+}
+
+/// Builds both modules and the site in both of its forms: where the one that is a single file is.
+pub(crate) fn page(root: &Path) -> Result<&'static str, String> {
     let site = root.join(SITE);
     let place = site.join("engine");
     std::fs::create_dir_all(&place).map_err(|problem| format!("{}: {problem}", place.display()))?;
@@ -26,10 +35,7 @@ pub(crate) fn build(root: &Path) -> Result<String, String> {
     ] {
         node(&site, words)?;
     }
-    cargo(root, &["build", "--release", "--package", "carom-cli", "--features", "studio"])?;
-    Ok(format!(
-        "{SITE}/dist/site, a folder for any web server; {SITE}/dist/single/carom-studio.html, one file; and `carom studio`"
-    ))
+    Ok(PAGE)
 }
 
 /// Builds it and tests it in Chromium, from a server and from the disk.

@@ -12,7 +12,7 @@ use carom::tasks::roll::RollStudy;
 use carom::tasks::solid::SolidStudy;
 use carom_scene::{
     AnyImpact, ForceAnswerReport, ImpactProblem, RollKind, RollProblem, SpatialRollKind, SpatialRollProblem,
-    StudyRunReport, toml_of_json,
+    StudyRunReport,
 };
 use carom_words::Words;
 use pyo3::prelude::*;
@@ -50,7 +50,13 @@ pub(crate) fn toml(py: Python<'_>, name: &str, text: &str, json: bool) -> PyResu
     if !json {
         return Ok(text.to_owned());
     }
-    toml_of_json(name, text).map_err(|problems| of_input(py, &problems))
+    carom_scene::toml_of_json(name, text).map_err(|problems| of_input(py, &problems))
+}
+
+/// The TOML of one JSON object.
+#[pyfunction]
+pub(crate) fn toml_of_json(py: Python<'_>, name: &str, json: &str) -> PyResult<String> {
+    toml(py, name, json, true)
 }
 
 /// What `carom run` says and writes.

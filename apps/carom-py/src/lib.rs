@@ -40,7 +40,7 @@ mod yields;
 #[pyo3::pymodule]
 mod _carom {
     #[pymodule_export]
-    use crate::answers::{contact, design, impact, roll, run};
+    use crate::answers::{contact, design, impact, roll, run, toml_of_json};
     #[pymodule_export]
     use crate::batch::impact_batch;
     #[pymodule_export]

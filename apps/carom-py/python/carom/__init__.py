@@ -17,7 +17,7 @@ from __future__ import annotations
 from carom._carom import __version__
 from carom._batch import impact_batch
 from carom._many import drops, impacts
-from carom._one import contact, design, impact, roll, run, yield_
+from carom._one import contact, design, impact, roll, run, studio, yield_
 from carom._studies import feed, fit, map, regions
 from carom._sweep import sweep
 from carom._tosses import Tosses, tosses
@@ -73,6 +73,7 @@ __all__ = [
     "regions",
     "roll",
     "run",
+    "studio",
     "sweep",
     "tosses",
     "yield_",

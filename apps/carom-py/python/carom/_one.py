@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -19,8 +19,11 @@ from carom.answers.impact import PlanarImpact, SpatialImpact
 from carom.answers.roll import PlanarRoll, SpatialRoll
 from carom.answers.run import Run
 from carom.answers.yield_ import Yield
-from carom.errors import CaromError
+from carom.errors import CaromError, needed
 from carom.scene import Scene, SceneLike, scene_of
+
+if TYPE_CHECKING:
+    from carom._studio import Studio
 
 
 def run(scene: SceneLike, *, set: Values | None = None, limits: bool = False, progress: Progress = None) -> Run:
@@ -37,6 +40,21 @@ def run(scene: SceneLike, *, set: Values | None = None, limits: bool = False, pr
     """
     with Told(progress) as hear:
         return Run._of(_carom.run(scene_of(scene, set), limits, hear), "run.json")
+
+
+def studio(file: FileLike | Scene, *, height: int = 640) -> Studio:
+    """Opens the studio in a cell of a notebook: drag plates, see at once what the part does, and go on with the scene in Python.
+
+    ``file`` is a :class:`Scene`, a file, a text or a dictionary of a scene, an impact or a roll; ``height`` is that of the cell [px]. What is
+    changed in the page is in the widget's ``text`` and ``scene``, and what is set there is shown in the page.
+
+    Needs the package of the extra ``studio``, and a wheel that has the page: ``cargo xtask python wheels``. Raises :class:`CaromError` where one
+    of them is missing.
+    """
+    needed("studio", "anywidget")
+    from carom._studio import Studio
+
+    return Studio(file, height=height)
 
 
 def impact(impact: FileLike) -> PlanarImpact | SpatialImpact:

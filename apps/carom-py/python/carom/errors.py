@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 from dataclasses import dataclass, field
 
@@ -50,3 +51,14 @@ class CaromError(ValueError):
     @classmethod
     def _of_json(cls, message: str, problems: str) -> CaromError:
         return cls(message.rstrip(), [Problem(**problem) for problem in json.loads(problems)])
+
+
+def needed(extra: str, *packages: str) -> None:
+    """Raises :class:`CaromError` where a package of an extra is missing."""
+    for package in packages:
+        try:
+            importlib.import_module(package)
+        except ImportError:
+            help = f"pip install carom[{extra}]"
+            message = f"the package {package} is missing: {help}"
+            raise CaromError(message, [Problem(message, kind="missing_package", value=package, help=help)]) from None

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, TypeAlias
 
 from carom import _carom
@@ -45,7 +46,7 @@ class Scene:
     0.1
     """
 
-    def __init__(self, text: str | Mapping[str, Any], *, name: str = "scene", files: Mapping[str, bytes] | None = None) -> None:
+    def __init__(self, text: str | Mapping[str, Any], *, name: str = "scene", files: Mapping[str, bytes] | Mapping[Path, bytes] | None = None) -> None:
         """Reads a scene: its text, or a dictionary with the keys of the file.
 
         ``files`` holds the files that it names (an outline); without it they are looked for on the disk.
@@ -139,7 +140,7 @@ class Scene:
         return self._inner.layout()
 
 
-def _again(text: str, file: str, files: dict[str, bytes] | None) -> Scene:
+def _again(text: str, file: str, files: dict[Path, bytes] | None) -> Scene:
     return Scene(text, name=file, files=files)
 
 

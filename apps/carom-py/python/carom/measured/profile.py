@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
+from carom.errors import CaromError, needed
 
 Array = NDArray[np.float64]
 #: Steps outwards before an end of an interval is given up.
@@ -35,10 +35,9 @@ class Fitted:
 
 def optimizer() -> ModuleType:
     """SciPy's, or one clear error."""
-    try:
-        import scipy.optimize
-    except ImportError as error:
-        raise CaromError("fits of measured data need SciPy: pip install carom[fit]") from error
+    needed("fit", "scipy")
+    import scipy.optimize
+
     return scipy.optimize  # type: ignore[no-any-return]
 
 

@@ -6,28 +6,17 @@ Needs the packages of the extra ``derive``: ``pip install carom[derive]``.
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from carom._given import FileLike
-from carom.errors import CaromError, Problem
+from carom.errors import needed
 
 if TYPE_CHECKING:
     from carom.symbolic.derivation import Derivation, Derivations
     from carom.symbolic.hypothesis import HypothesisLike
 
 __all__ = ["derive"]
-
-
-def needed(*packages: str) -> None:
-    """Raises :class:`carom.CaromError` where a package of the extra is missing."""
-    for package in packages:
-        try:
-            importlib.import_module(package)
-        except ImportError:
-            message = f"the package {package} is missing: pip install carom[derive]"
-            raise CaromError(message, [Problem(message, kind="missing_package", value=package, help="pip install carom[derive]")]) from None
 
 
 @overload
@@ -81,9 +70,9 @@ def derive(
     >>> [condition.reduced for condition in sticks.conditions if condition.kind == "friction_cone"]
     [1, 7*f*v - 2*omega0*r]
     """
-    needed("sympy")
+    needed("derive", "sympy")
     if discard:
-        needed("z3")
+        needed("derive", "z3")
     from carom.symbolic.deriving import derive_all, derive_one
 
     if hypothesis is None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.symbolic import needed
+from carom.errors import needed
 from carom.symbolic.derivation import Derivations
 
 #: Colours that people who see few of them tell apart (Okabe and Ito), each with a hatch of its own.
@@ -22,7 +22,7 @@ def draw(derivations: Derivations, x: tuple[Any, float, float], y: tuple[Any, fl
 
     Returns the axes of matplotlib. Raises :class:`carom.CaromError` where matplotlib is missing or a symbol has no value.
     """
-    needed("matplotlib")
+    needed("derive", "matplotlib")
     import matplotlib.pyplot as plt
     from matplotlib.patches import Patch
 

@@ -23,9 +23,9 @@ def claims(section: str | None = None) -> list[Claim]:
     >>> [claim.verdict for claim in paper.claims("4") if claim.key in ("SYA", "SYB")]
     ['misprint', 'agrees']
     """
-    from carom.symbolic import needed
+    from carom.errors import needed
 
-    needed("sympy", "z3")
+    needed("derive", "sympy", "z3")
     from carom.symbolic.paper import cylinder, prism, rod, space
 
     every = [*cylinder.claims(), *prism.claims(), *rod.claims(), *space.claims()]
