@@ -9,6 +9,7 @@
 //! - [`lemke`]: the linear complementarity problem;
 //! - [`principal`]: principal values and axes of a symmetric matrix;
 //! - [`poly`]: polynomials on an interval and the certain isolation of their roots;
+//! - [`course`]: smooth equations followed to their first event; [`falls`]: where smooth functions fall through zero first;
 //! - [`ode`]: an explicit Runge–Kutta step of order 5 with dense output;
 //! - [`ode8`]: an explicit step of order 8 with dense output;
 //! - [`radau`]: an implicit step of order 9, for stiff equations;
@@ -19,7 +20,9 @@
 
 pub mod circle;
 pub mod cones;
+pub mod course;
 pub mod elementary;
+pub mod falls;
 pub mod lemke;
 mod mat3;
 pub mod normal;

@@ -171,11 +171,11 @@ fn monotone_root(bernstein: &[f64; 5]) -> f64 {
             high = x;
         }
         let newton = x - value / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - x).abs() < QUARTIC_ARRIVED {
-            return next;
+        // Where it has arrived it may stand on an end of its bracket.
+        if (newton - x).abs() < QUARTIC_ARRIVED {
+            return newton;
         }
-        x = next;
+        x = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
     }
     x
 }
@@ -220,6 +220,16 @@ mod tests {
             q.lower_bound() <= NODES.map(f).into_iter().fold(f64::INFINITY, f64::min),
             "bound is a bound"
         );
+    }
+
+    /// Newton's method may meet the root of a line to the last digit, and stand on an end of its bracket then.
+    #[test]
+    fn the_fall_of_a_line_is_its_root() {
+        for k in 1..1000 {
+            let root = f64::from(k) / 1000.0;
+            let found = Quartic::through(&NODES.map(|x| root - x)).first_fall().unwrap();
+            assert!((found - root).abs() < 1e-9, "{found} is not {root}");
+        }
     }
 
     #[test]

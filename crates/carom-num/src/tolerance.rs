@@ -35,6 +35,18 @@ pub(crate) const TAYLOR_ARRIVED: f64 = 1e-8;
 /// Steps of a march along a series are at least this fraction of the interval [1]: the dip that they pass over is of its square, which is rounding.
 pub(crate) const TAYLOR_SHORTEST: f64 = 1e-8;
 
+// Events.
+
+/// A highest term of an interpolant below this fraction of the function's size shows its shape well enough [1].
+pub(crate) const RESOLVED_SHAPE: f64 = 1e-3;
+/// How far before an event the first secant to it begins, as a fraction of the step [1]: far enough that the event function differs by more than its
+/// rounding.
+pub(crate) const EVENT_SECANT: f64 = 1e-3;
+/// A correction of an event's place below this fraction of the step is rounding [1].
+pub(crate) const EVENT_ARRIVED: f64 = 4.0 * f64::EPSILON;
+/// A correction above this fraction of the step has lost the event [1].
+pub(crate) const EVENT_ASTRAY: f64 = 0.1;
+
 // Roots on the circle.
 
 /// Half-arcs below this are not cut any further [rad]. At a double root the function is below rounding as far as √ε = 1.5e-8 beside it: whether it
