@@ -182,9 +182,6 @@ pub(crate) const STANDING: f64 = 1e-7;
 pub(crate) const BIRTH: f64 = 1e-12;
 /// A slip that starts at the edge of its cone and has fallen by this in its logarithm does not start [1].
 pub(crate) const FALLEN: f64 = 0.01;
-/// How far before an event the first secant to it begins, as a fraction of the step [1]: far enough that the event function differs by more than its
-/// rounding.
-pub(crate) const EVENT_SECANT: f64 = 1e-3;
 /// An inequality that is met by less than this at the start of a curve is broken only below minus this, in its own units [1]: a hypothesis may be at
 /// its edge by [`SLACK_TOLERANCE`], and rounding must not end its stage at once.
 pub(crate) const AT_EDGE_OF_CURVE: f64 = 1e-10;

@@ -139,8 +139,6 @@ pub(crate) const JUST_LEFT: f64 = 1e-3;
 pub(crate) const LEAVES_DOWNWARD: f64 = 1e-6;
 /// A time long enough for a difference to show, and short enough for what it shows to be a rate.
 pub(crate) const MOMENT: f64 = 1e-6;
-/// A highest term of an interpolant below this fraction of the function's size shows its shape well enough (in space too).
-pub(crate) const RESOLVED_SHAPE: f64 = 1e-3;
 /// Steps of a march towards an obstacle are at least this fraction of the stretch, so that it comes to an end.
 pub(crate) const APPROACH_PART: f64 = 1e-13;
 /// Steps past a pair that touches and opens, or grazes, are at least this time.

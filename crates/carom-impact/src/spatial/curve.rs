@@ -10,20 +10,20 @@
 //!
 //! The slip that is about to stop turns by itself, and meanwhile the others stand still. One contact has ρ = s, the clock of [`hodograph`](super::hodograph).
 //!
-//! Every inequality of the hypothesis is an event function; its first fall is found on the dense output of each step, and reached by stepping there.
+//! Every inequality of the hypothesis is an event function of a [`Course`].
 
 use super::answer::Mode;
 use super::leg::{Goal, Leg, Pace, Place, StageEvent, Walked};
 use super::watch::{OF_CONTACT, Watch};
 use crate::planar::ImpactError;
 use crate::tolerance::{
-    BIRTH, CURVE_NOISE, CURVE_SHORT, CURVE_STEP_ERROR, EVENT_SECANT, FALLEN, NEAR_STOP, NEUTRAL,
-    SETTLED_FALL, STANDING, STOPPED,
+    BIRTH, CURVE_NOISE, CURVE_SHORT, CURVE_STEP_ERROR, FALLEN, NEAR_STOP, NEUTRAL, SETTLED_FALL, STANDING,
+    STOPPED,
 };
 use carom_num::Vec3;
+use carom_num::course::{self, Course, Stop};
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
-use carom_num::ode8::{Step, length_factor, step_plain};
-use carom_num::poly::{NODES, Quartic};
+use carom_num::ode8::Vector;
 
 /// Of each contact: ln s, θ, the three impulses, work of tangential and normal impulse; the clock is the first contact's last number.
 pub(super) type State<const N: usize> = [[f64; 8]; N];
@@ -36,15 +36,15 @@ pub(super) const CLOCK: usize = 7;
 const LENGTH: f64 = 0.05;
 /// Steps after which a stage is given up.
 const MOST_STEPS: usize = 20_000;
-/// Secant steps to an event.
-const MOST_CORRECTIONS: u32 = 8;
 
 /// A curve in polar coordinates of the slips.
 pub(super) struct Curve<'a, const N: usize> {
     pub(super) leg: &'a Leg<'a, N>,
     pub(super) start: &'a Place<N>,
     /// Added to event functions that start at their edge.
-    lift: Watch<N>,
+    pub(super) lift: Watch<N>,
+    /// A slip that starts at the edge of its cone, and below which ln s it has not started.
+    edge: Option<(usize, f64)>,
 }
 
 impl<const N: usize> Leg<'_, N> {
@@ -53,52 +53,21 @@ impl<const N: usize> Leg<'_, N> {
     /// # Errors
     /// [`ImpactError::Unending`] where there is none.
     pub(super) fn go_curved(&self, from: &Place<N>, now: &Pace<N>) -> Result<Walked<N>, ImpactError> {
-        let mut curve = Curve { leg: self, start: from, lift: Watch::NONE };
-        let mut y = curve.state(now);
+        let mut curve = Curve { leg: self, start: from, lift: Watch::NONE, edge: None };
+        let first = curve.state(now);
         if let Some(i) = self.owes_nothing() {
-            return Ok(curve.walked(&y, StageEvent::Repaid(i)));
+            return Ok(curve.walked(&first, StageEvent::Repaid(i)));
         }
         let unending = ImpactError::Unending { stages: MOST_STEPS };
-        curve.lift = curve.watch(&y).ok_or(unending)?.lift();
-        let onset = curve.onset(&y, now);
+        curve.lift = curve.watch(&first).ok_or(unending)?.lift();
+        let onset = curve.onset(&first, now);
         let edge = if onset.is_none() { curve.starts_at_edge(now) } else { None };
-        y = onset.unwrap_or(y);
-        let birth = edge.map_or(0.0, |i| y[i][0]);
-        let mut length = LENGTH / (self.largest_response * (1.0 + self.roughest()));
-        let short = CURVE_SHORT * length;
-        let scales = curve.scales();
-        for _ in 0..MOST_STEPS {
-            if let Some(i) = curve.stopped(&y).or(edge.filter(|&i| y[i][0] < birth - FALLEN)) {
-                return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
-            }
-            let first = curve.rate(&y);
-            if let Some((i, end)) = curve.stops_straight(&y, &first) {
-                return Ok(curve.walked(&end, StageEvent::SlipStops(i)));
-            }
-            if let Some(walked) = curve.straight_on(&y, &first) {
-                return Ok(walked);
-            }
-            if let Some(i) = curve.stands(&y, &first) {
-                return Ok(curve.walked(&y, StageEvent::SlipStops(i)));
-            }
-            // What comes beyond the goal is noise of what comes before it.
-            length = length.min(2.0 * self.until_clock_ends(&y, &first));
-            let trial = step_plain(y, first, length, |y: &State<N>| curve.rate(y));
-            let error = trial.scaled_error(&scales);
-            let is_noise = length <= short && error <= CURVE_NOISE;
-            if (error > 1.0 || error.is_nan()) && !is_noise {
-                length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
-                continue;
-            }
-            let step = trial.with_dense(curve.rate(&trial.end), |y: &State<N>| curve.rate(y));
-            if let Some((event, x)) = curve.event_in(&step) {
-                let end = curve.reach(&step, event, x);
-                return Ok(curve.walked(&end, event));
-            }
-            y = step.end;
-            length = if is_noise { short } else { step.length * length_factor(error) };
+        let first = onset.unwrap_or(first);
+        curve.edge = edge.map(|i| (i, first[i][0] - FALLEN));
+        match course::follow(&curve, first, &curve.steps()).map_err(|_| unending)? {
+            Stop::Event { event, y } => Ok(curve.walked(&y, curve.event(event))),
+            Stop::End(walked) => Ok(walked),
         }
-        Err(unending)
     }
 
     /// How far it is to a goal of the clock, at this rate.
@@ -114,7 +83,73 @@ impl<const N: usize> Leg<'_, N> {
     }
 }
 
+impl<const N: usize> Course for Curve<'_, N> {
+    type Y = State<N>;
+    type Events = Watch<N>;
+    type End = Walked<N>;
+
+    fn rate(&self, y: &State<N>) -> State<N> {
+        let mut out = [[0.0; 8]; N];
+        let direction = self.directions(y);
+        let Some(now) = self.leg.pace(&direction) else { return [[f64::NAN; 8]; N] };
+        let least = self.tracked().map(|i| y[i][0]).fold(f64::INFINITY, f64::min);
+        let sum: f64 = self.tracked().map(|i| exp(least - y[i][0])).sum();
+        let rho = exp(least) / sum;
+        let normal = self.normal(y);
+        for i in self.leg.contacts() {
+            let (p, w) = (now.rates[i], now.response[i]);
+            out[i][IMPULSE] = rho * p.x;
+            out[i][IMPULSE + 1] = rho * p.y;
+            out[i][IMPULSE + 2] = rho * p.z;
+            out[i][WORK + 1] = rho * p.z * normal[i];
+            if self.leg.is_tracked(i) {
+                let ([x, y_e], share) = (direction[i], exp(least - y[i][0]) / sum);
+                out[i][0] = share * (x * w.x + y_e * w.y);
+                out[i][1] = share * (x * w.y - y_e * w.x);
+                out[i][WORK] = rho * exp(y[i][0]) * (x * p.x + y_e * p.y);
+            }
+        }
+        out[0][CLOCK] = rho * now.clock;
+        out
+    }
+
+    fn events(&self, y: &State<N>) -> Watch<N> {
+        self.lifted(y)
+    }
+
+    fn end(&self, y: &State<N>, rate: &State<N>) -> Option<Walked<N>> {
+        let fallen = || self.edge.filter(|&(i, least)| y[i][0] < least).map(|(i, _)| i);
+        if let Some(i) = self.stopped(y).or_else(fallen) {
+            return Some(self.walked(y, StageEvent::SlipStops(i)));
+        }
+        if let Some((i, end)) = self.stops_straight(y, rate) {
+            return Some(self.walked(&end, StageEvent::SlipStops(i)));
+        }
+        let stands = || self.stands(y, rate).map(|i| self.walked(y, StageEvent::SlipStops(i)));
+        self.straight_on(y, rate).or_else(stands)
+    }
+
+    fn longest(&self, y: &State<N>, rate: &State<N>) -> f64 {
+        // What comes beyond the goal is noise of what comes before it.
+        2.0 * self.leg.until_clock_ends(y, rate)
+    }
+}
+
 impl<const N: usize> Curve<'_, N> {
+    fn steps(&self) -> course::Pace<State<N>> {
+        let first = LENGTH / (self.leg.largest_response * (1.0 + self.leg.roughest()));
+        let impulse = self.leg.fastest / self.leg.largest_response;
+        let work = impulse * self.leg.fastest;
+        let scales = [1.0, 1.0, impulse, impulse, impulse, work, work, 1.0];
+        course::Pace {
+            first,
+            tolerance: [scales.map(|scale| CURVE_STEP_ERROR * scale); N],
+            shortest: 0.0,
+            noise: Some([CURVE_SHORT * first, CURVE_NOISE]),
+            most_steps: MOST_STEPS,
+        }
+    }
+
     pub(super) fn tracked(&self) -> impl Iterator<Item = usize> + '_ {
         self.leg.contacts().filter(|&i| self.leg.is_tracked(i))
     }
@@ -145,12 +180,6 @@ impl<const N: usize> Curve<'_, N> {
             (y[i][0], y[i][1]) = (ln(speed), atan2(e_y, x));
         }
         y
-    }
-
-    fn scales(&self) -> State<N> {
-        let impulse = self.leg.fastest / self.leg.largest_response;
-        let work = impulse * self.leg.fastest;
-        [[1.0, 1.0, impulse, impulse, impulse, work, work, 1.0].map(|scale| CURVE_STEP_ERROR * scale); N]
     }
 
     /// A slip that has come to nothing.
@@ -189,10 +218,8 @@ impl<const N: usize> Curve<'_, N> {
 
     /// True where no event function has fallen yet.
     pub(super) fn nothing_happens(&self, y: &State<N>) -> bool {
-        let Some(watch) = self.watch(y) else { return false };
-        let before = |f: &[f64], lift: &[f64]| f.iter().zip(lift).all(|(f, lift)| f + lift > 0.0);
-        let mut contacts = watch.contact.iter().zip(&self.lift.contact);
-        contacts.all(|(f, lift)| before(f, lift)) && before(&watch.common, &self.lift.common)
+        let watch = self.lifted(y);
+        (0..Watch::<N>::COUNT).all(|i| watch.at(i) > 0.0)
     }
 
     pub(super) fn directions(&self, y: &State<N>) -> [[f64; 2]; N] {
@@ -240,103 +267,19 @@ impl<const N: usize> Curve<'_, N> {
         })
     }
 
-    fn rate(&self, y: &State<N>) -> State<N> {
-        let mut out = [[0.0; 8]; N];
-        let direction = self.directions(y);
-        let Some(now) = self.leg.pace(&direction) else { return [[f64::NAN; 8]; N] };
-        let least = self.tracked().map(|i| y[i][0]).fold(f64::INFINITY, f64::min);
-        let sum: f64 = self.tracked().map(|i| exp(least - y[i][0])).sum();
-        let rho = exp(least) / sum;
-        let normal = self.normal(y);
-        for i in self.leg.contacts() {
-            let (p, w) = (now.rates[i], now.response[i]);
-            out[i][IMPULSE] = rho * p.x;
-            out[i][IMPULSE + 1] = rho * p.y;
-            out[i][IMPULSE + 2] = rho * p.z;
-            out[i][WORK + 1] = rho * p.z * normal[i];
-            if self.leg.is_tracked(i) {
-                let ([x, y_e], share) = (direction[i], exp(least - y[i][0]) / sum);
-                out[i][0] = share * (x * w.x + y_e * w.y);
-                out[i][1] = share * (x * w.y - y_e * w.x);
-                out[i][WORK] = rho * exp(y[i][0]) * (x * p.x + y_e * p.y);
-            }
-        }
-        out[0][CLOCK] = rho * now.clock;
-        out
-    }
-
-    fn event(&self, contact: usize, kind: usize) -> StageEvent {
-        match kind {
+    /// The event of a function, as [`Watch`] counts them.
+    fn event(&self, function: usize) -> StageEvent {
+        let Some(of) = function.checked_sub(2) else {
+            return if function == 0 { self.leg.end() } else { StageEvent::DrivenIn };
+        };
+        let contact = of / OF_CONTACT;
+        match of % OF_CONTACT {
             0 => StageEvent::Closes(contact),
             1 => StageEvent::Opens(contact),
             2 => StageEvent::SlipStarts(contact),
             3 => StageEvent::Loads(contact),
             _ => StageEvent::Repaid(contact),
         }
-    }
-
-    /// The value of the function of an event.
-    fn value(&self, event: StageEvent, y: &State<N>) -> Option<f64> {
-        let watch = self.watch(y)?;
-        let of = |i: usize, kind: usize| watch.contact[i][kind] + self.lift.contact[i][kind];
-        Some(match event {
-            StageEvent::Closes(i) => of(i, 0),
-            StageEvent::Opens(i) => of(i, 1),
-            StageEvent::SlipStarts(i) => of(i, 2),
-            StageEvent::Loads(i) => of(i, 3),
-            StageEvent::Repaid(i) => of(i, 4),
-            StageEvent::DrivenIn => watch.common[1] + self.lift.common[1],
-            _ => watch.common[0],
-        })
-    }
-
-    /// The first event of a step, and the fraction of the step at which it is.
-    fn event_in(&self, step: &Step<State<N>>) -> Option<(StageEvent, f64)> {
-        let mut watches = [Watch::NONE; 5];
-        for (watch, x) in watches.iter_mut().zip(NODES) {
-            *watch = self.watch(&step.at(x))?;
-        }
-        let mut first: Option<(StageEvent, f64)> = None;
-        let mut ask = |event: StageEvent, values: [f64; 5]| {
-            if let Some(x) = Quartic::through(&values).first_fall()
-                && first.is_none_or(|(_, earliest)| x < earliest)
-            {
-                first = Some((event, x));
-            }
-        };
-        ask(self.leg.end(), watches.map(|w| w.common[0]));
-        ask(StageEvent::DrivenIn, watches.map(|w| w.common[1] + self.lift.common[1]));
-        for i in self.leg.contacts() {
-            for kind in 0..OF_CONTACT {
-                let lift = self.lift.contact[i][kind];
-                ask(self.event(i, kind), watches.map(|w| w.contact[i][kind] + lift));
-            }
-        }
-        first
-    }
-
-    /// Steps to an event, near a fraction of a step.
-    fn reach(&self, step: &Step<State<N>>, event: StageEvent, x: f64) -> State<N> {
-        let to =
-            |length: f64| step_plain(step.start, step.start_rate, length, |y: &State<N>| self.rate(y)).end;
-        let value = |y: &State<N>| self.value(event, y).unwrap_or(f64::NAN);
-        let near = (x - EVENT_SECANT).max(0.5 * x);
-        let mut before = (near * step.length, value(&step.at(near)));
-        let mut end = to(x * step.length);
-        let mut now = (x * step.length, value(&end));
-        for _ in 0..MOST_CORRECTIONS {
-            let slope = (now.1 - before.1) / (now.0 - before.0);
-            let correction = -now.1 / slope;
-            let small = correction.abs() <= 4.0 * f64::EPSILON * step.length;
-            if !correction.is_finite() || small || correction.abs() > 0.1 * step.length {
-                break;
-            }
-            before = now;
-            let length = now.0 + correction;
-            end = to(length);
-            now = (length, value(&end));
-        }
-        end
     }
 
     /// Where the curve has come to.

@@ -16,14 +16,13 @@
 use super::single::{Goal, Place};
 use crate::planar::ImpactError;
 use crate::tolerance::{BESIDE, CURVE_STEP_ERROR, SETTLED_TURN, STOPPED};
+use carom_num::course::{self, Course, Pace, Stop};
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
-use carom_num::ode8::{Step, length_factor, step_plain};
-use carom_num::poly::{NODES, Quartic};
 use carom_num::{Mat3, Vec3};
 
 /// A contact's operator and its friction.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Course {
+pub(super) struct Rough {
     pub(super) operator: Mat3,
     pub(super) friction: f64,
 }
@@ -48,14 +47,22 @@ pub(super) enum Reached {
 /// (ln s, θ, N, u_n, p₁, p₂, work of the normal impulse).
 type Curve = [f64; 7];
 
+/// A slip on its way through a phase.
+struct Slide {
+    contact: Rough,
+    start: Place,
+    goal: Goal,
+    /// The largest velocity at the start [m/s], and the largest response of the operator [1/kg].
+    largest: f64,
+    response: f64,
+}
+
 /// Steps after which a slide is given up.
 const MOST_STEPS: usize = 10_000;
-/// Newton's steps to a goal.
-const MOST_CORRECTIONS: u32 = 6;
 /// Directions tried for one that friction does not turn.
 const DIRECTIONS: u32 = 96;
 
-impl Course {
+impl Rough {
     /// Impulse per normal impulse of a slip in this direction, and the velocity per normal impulse along it, across it and along the normal.
     fn slipping(&self, theta: f64) -> (Vec3, [f64; 3]) {
         let (sin, cos) = sin_cos(theta);
@@ -102,22 +109,17 @@ impl Course {
         }
         best.1
     }
-
-    fn rate(&self, y: &Curve) -> Curve {
-        let speed = exp(y[0]);
-        let (impulse, [along, across, normal]) = self.slipping(y[1]);
-        [along, across, speed, speed * normal, speed * impulse.x, speed * impulse.y, speed * y[3]]
-    }
 }
 
 /// Follows a slip to the end of the phase or to its own; moves the place there.
 ///
 /// # Errors
 /// [`ImpactError::Unending`] where neither is reached.
-pub(super) fn slide(course: &Course, at: &mut Place, goal: Goal) -> Result<Reached, ImpactError> {
+pub(super) fn slide(contact: &Rough, at: &mut Place, goal: Goal) -> Result<Reached, ImpactError> {
     let (start, v) = (*at, at.velocity);
-    let largest = v.norm();
-    let mut y: Curve = [
+    let response = contact.operator.rows.map(Vec3::norm).into_iter().fold(0.0, f64::max);
+    let slide = Slide { contact: *contact, start, goal, largest: v.norm(), response };
+    let first = [
         ln((v.x * v.x + v.y * v.y).sqrt()),
         atan2(v.y, v.x),
         at.impulse.z,
@@ -126,84 +128,111 @@ pub(super) fn slide(course: &Course, at: &mut Place, goal: Goal) -> Result<Reach
         at.impulse.y,
         at.work,
     ];
-    let stopped = ln(STOPPED * largest);
-    let size = course.operator.rows.map(Vec3::norm).into_iter().fold(0.0, f64::max);
-    let impulse = largest / size;
-    let scales = [1.0, 1.0, impulse, largest, impulse, impulse, impulse * largest];
-    let rate = |y: &Curve| course.rate(y);
-    let mut length = 0.1 / (size * (1.0 + course.friction));
-    for _ in 0..MOST_STEPS {
+    let end = course::follow(&slide, first, &slide.pace())
+        .map_err(|_| ImpactError::Unending { stages: MOST_STEPS })?;
+    let reached;
+    (*at, reached) = match end {
+        Stop::Event { y, .. } => (slide.place(&y), Reached::Goal),
+        Stop::End(end) => end,
+    };
+    Ok(reached)
+}
+
+impl Course for Slide {
+    type Y = Curve;
+    /// What is left of the phase.
+    type Events = [f64; 1];
+    type End = (Place, Reached);
+
+    fn rate(&self, y: &Curve) -> Curve {
+        let speed = exp(y[0]);
+        let (impulse, [along, across, normal]) = self.contact.slipping(y[1]);
+        [along, across, speed, speed * normal, speed * impulse.x, speed * impulse.y, speed * y[3]]
+    }
+
+    fn events(&self, y: &Curve) -> [f64; 1] {
+        [self.left(y).0]
+    }
+
+    fn slope(&self, _: usize, y: &Curve) -> Option<f64> {
+        Some(self.left(y).1)
+    }
+
+    fn end(&self, y: &Curve, rate: &Curve) -> Option<(Place, Reached)> {
         // ln s falls without end where the slip stops.
-        if y[0] <= stopped {
-            return Ok(stop(course, &start, &y, at));
+        if y[0] <= ln(STOPPED * self.largest) {
+            return Some((self.stopped(y), Reached::Rest));
         }
-        let first = rate(&y);
         // Along a direction that friction does not turn ln s may fall so slowly that steps never end: the rest goes in closed form.
-        if first[1].abs() * exp(y[0]) <= SETTLED_TURN * size * largest
-            && let Some(reached) = straight_on(course, (&start, goal), &y, at)
-        {
-            return Ok(reached);
-        }
-        let trial = step_plain(y, first, length, rate);
-        let error = trial.scaled_error(&scales.map(|scale| CURVE_STEP_ERROR * scale));
-        if error > 1.0 || error.is_nan() {
-            length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
-            continue;
-        }
-        let step = trial.with_dense(rate(&trial.end), rate);
-        if let Some(x) = goal_in(course, &step, goal) {
-            let end = to_goal(course, &step, goal, x);
-            *at = place(course, &start, &end);
-            return Ok(Reached::Goal);
-        }
-        y = step.end;
-        length = step.length * length_factor(error);
+        let settled = rate[1].abs() * exp(y[0]) <= SETTLED_TURN * self.response * self.largest;
+        if settled { self.straight_on(y) } else { None }
     }
-    Err(ImpactError::Unending { stages: MOST_STEPS })
 }
 
-/// What is left of the phase, and its rate with σ.
-fn left(course: &Course, goal: Goal, y: &Curve) -> (f64, f64) {
-    let growth = course.slipping(y[1]).1[2];
-    let (left, rate) = goal.left(y[2], y[3], y[6], growth);
-    (left, rate * exp(y[0]))
-}
-
-/// The fraction of a step at which the goal is reached.
-fn goal_in(course: &Course, step: &Step<Curve>, goal: Goal) -> Option<f64> {
-    Quartic::through(&NODES.map(|x| left(course, goal, &step.at(x)).0)).first_fall()
-}
-
-/// Steps to the goal, near a fraction of a step.
-fn to_goal(course: &Course, step: &Step<Curve>, goal: Goal, x: f64) -> Curve {
-    let mut length = x * step.length;
-    let mut end = step.at(x);
-    for _ in 0..MOST_CORRECTIONS {
-        end = step_plain(step.start, step.start_rate, length, |y: &Curve| course.rate(y)).end;
-        let (value, slope) = left(course, goal, &end);
-        let correction = -value / slope;
-        if !correction.is_finite() || correction.abs() <= 4.0 * f64::EPSILON * step.length {
-            break;
+impl Slide {
+    fn pace(&self) -> Pace<Curve> {
+        let impulse = self.largest / self.response;
+        let scales = [1.0, 1.0, impulse, self.largest, impulse, impulse, impulse * self.largest];
+        Pace {
+            first: 0.1 / (self.response * (1.0 + self.contact.friction)),
+            tolerance: scales.map(|scale| CURVE_STEP_ERROR * scale),
+            shortest: 0.0,
+            noise: None,
+            most_steps: MOST_STEPS,
         }
-        length += correction;
     }
-    end
+
+    /// What is left of the phase, and its rate with σ.
+    fn left(&self, y: &Curve) -> (f64, f64) {
+        let growth = self.contact.slipping(y[1]).1[2];
+        let (left, rate) = self.goal.left(y[2], y[3], y[6], growth);
+        (left, rate * exp(y[0]))
+    }
+
+    /// The walk's place at a point of the curve; the velocity is computed from the impulse.
+    fn place(&self, y: &Curve) -> Place {
+        let impulse = Vec3::new(y[4], y[5], y[2]);
+        let velocity = self.start.velocity + self.contact.operator * (impulse - self.start.impulse);
+        Place { impulse, velocity, work: y[6] }
+    }
+
+    /// The walk's place after so much more normal impulse in one direction.
+    fn placed(&self, y: &Curve, (theta, more): (f64, f64)) -> Place {
+        let (impulse, [_, _, normal]) = self.contact.slipping(theta);
+        let mut end = *y;
+        (end[2], end[4], end[5]) = (y[2] + more, y[4] + impulse.x * more, y[5] + impulse.y * more);
+        end[6] += more * (y[3] + 0.5 * normal * more);
+        self.place(&end)
+    }
+
+    /// Goes straight to the goal or to the end of the slip, where friction turns the slip back to the direction that it has.
+    fn straight_on(&self, y: &Curve) -> Option<(Place, Reached)> {
+        let turn = |theta: f64| self.contact.slipping(theta).1[1];
+        let theta = turned_back_to(y[1], |by| Some(turn(y[1] + by)))?;
+        let [along, _, normal] = self.contact.slipping(theta).1;
+        let ahead = |length: f64| if length >= 0.0 { length } else { f64::INFINITY };
+        let to_goal = ahead(self.goal.straight(&self.place(y), normal));
+        let to_rest = ahead(-exp(y[0]) / along);
+        let more = to_goal.min(to_rest);
+        if more.is_infinite() {
+            return None;
+        }
+        let place = self.placed(y, (theta, more));
+        Some(if to_rest > to_goal { (place, Reached::Goal) } else { (at_rest(place), Reached::Rest) })
+    }
+
+    /// The end of a slip that has come to nearly nothing: the rest of it goes straight.
+    fn stopped(&self, y: &Curve) -> Place {
+        let more = exp(y[0]) / -self.contact.slipping(y[1]).1[0];
+        let goes = more.is_finite() && more > 0.0;
+        at_rest(if goes { self.placed(y, (y[1], more)) } else { self.place(y) })
+    }
 }
 
-/// The walk's place at a point of a curve; the velocity is computed from the impulse.
-fn place(course: &Course, start: &Place, y: &Curve) -> Place {
-    let impulse = Vec3::new(y[4], y[5], y[2]);
-    let velocity = start.velocity + course.operator * (impulse - start.impulse);
-    Place { impulse, velocity, work: y[6] }
-}
-
-/// The walk's place after so much more normal impulse in one direction.
-fn placed(course: &Course, start: &Place, y: &Curve, (theta, more): (f64, f64)) -> Place {
-    let (impulse, [_, _, normal]) = course.slipping(theta);
-    let mut end = *y;
-    (end[2], end[4], end[5]) = (y[2] + more, y[4] + impulse.x * more, y[5] + impulse.y * more);
-    end[6] += more * (y[3] + 0.5 * normal * more);
-    place(course, start, &end)
+/// The same place without a slip.
+fn at_rest(mut place: Place) -> Place {
+    (place.velocity.x, place.velocity.y) = (0.0, 0.0);
+    place
 }
 
 /// The direction near `theta` that friction does not turn, and to which it turns neighbouring slips back; `None` where there is none. `turn` says
@@ -218,37 +247,4 @@ pub(super) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> O
         if turn(middle)? > 0.0 { low = middle } else { high = middle }
     }
     Some(theta + 0.5 * (low + high))
-}
-
-/// Goes straight to the goal or to the end of the slip, where friction turns the slip back to the direction that it has.
-fn straight_on(course: &Course, (start, goal): (&Place, Goal), y: &Curve, at: &mut Place) -> Option<Reached> {
-    let turn = |theta: f64| course.slipping(theta).1[1];
-    let theta = turned_back_to(y[1], |by| Some(turn(y[1] + by)))?;
-    let [along, _, normal] = course.slipping(theta).1;
-    let here = place(course, start, y);
-    let ahead = |length: f64| if length >= 0.0 { length } else { f64::INFINITY };
-    let to_goal = ahead(goal.straight(&here, normal));
-    let to_rest = ahead(-exp(y[0]) / along);
-    let more = to_goal.min(to_rest);
-    if more.is_infinite() {
-        return None;
-    }
-    *at = placed(course, start, y, (theta, more));
-    if to_rest > to_goal {
-        return Some(Reached::Goal);
-    }
-    (at.velocity.x, at.velocity.y) = (0.0, 0.0);
-    Some(Reached::Rest)
-}
-
-/// Ends a slip that has come to nearly nothing: the rest of it goes straight.
-fn stop(course: &Course, start: &Place, y: &Curve, at: &mut Place) -> Reached {
-    let more = exp(y[0]) / -course.slipping(y[1]).1[0];
-    *at = if more.is_finite() && more > 0.0 {
-        placed(course, start, y, (y[1], more))
-    } else {
-        place(course, start, y)
-    };
-    (at.velocity.x, at.velocity.y) = (0.0, 0.0);
-    Reached::Rest
 }

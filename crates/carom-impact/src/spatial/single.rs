@@ -7,7 +7,7 @@
 //! # Source
 //! Routh 1860; Keller, J. Appl. Mech. 53 (1986) 1; Bhatt and Koechling, J. Appl. Mech. 62 (1995) 893; Stronge, J. Appl. Mech. 58 (1991) 1049.
 
-use super::hodograph::{Course, Reached, slide};
+use super::hodograph::{Reached, Rough, slide};
 use crate::planar::{ImpactError, Law};
 use carom_num::{Mat3, Vec3};
 
@@ -247,9 +247,9 @@ impl Contact {
         stages: &mut Vec<Stage>,
     ) -> Result<(), ImpactError> {
         while stages.len() < MOST_STAGES {
-            let course = Course { operator: self.operator, friction: self.friction };
-            let (slip, ended_by) = match course.rest(&at.velocity) {
-                None => match slide(&course, at, goal)? {
+            let contact = Rough { operator: self.operator, friction: self.friction };
+            let (slip, ended_by) = match contact.rest(&at.velocity) {
+                None => match slide(&contact, at, goal)? {
                     Reached::Goal => (Slip::Slips, end),
                     Reached::Rest => (Slip::Slips, StageEnd::SlipStops),
                 },

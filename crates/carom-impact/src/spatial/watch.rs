@@ -5,6 +5,7 @@ use super::curve::{CLOCK, Curve, State, WORK};
 use super::leg::{Goal, Pace};
 use crate::planar::rate::Load;
 use crate::tolerance::{AT_EDGE_OF_CURVE, CLOCK_HELD_UP, TOUCHING_EDGE};
+use carom_num::ode8::Vector;
 use carom_num::{Mat3, Vec3};
 
 /// Event functions of a contact: it closes, it pushes, it sticks, it is turned back by others, it owes work.
@@ -17,8 +18,26 @@ pub(super) struct Watch<const N: usize> {
     pub(super) common: [f64; 2],
 }
 
+/// Its numbers in a row: the goal and the clock, then those of each contact.
+impl<const N: usize> Vector for Watch<N> {
+    const COUNT: usize = 2 + OF_CONTACT * N;
+
+    fn from_fn(mut number: impl FnMut(usize) -> f64) -> Self {
+        let common = [0, 1].map(&mut number);
+        let contact = std::array::from_fn(|i| std::array::from_fn(|kind| number(2 + OF_CONTACT * i + kind)));
+        Self { contact, common }
+    }
+
+    fn at(&self, i: usize) -> f64 {
+        if i < 2 { self.common[i] } else { self.contact[(i - 2) / OF_CONTACT][(i - 2) % OF_CONTACT] }
+    }
+}
+
 impl<const N: usize> Watch<N> {
     pub(super) const NONE: Self = Self { contact: [[0.0; OF_CONTACT]; N], common: [0.0; 2] };
+
+    /// Where rates are not known, nothing is.
+    const UNKNOWN: Self = Self { contact: [[f64::NAN; OF_CONTACT]; N], common: [f64::NAN; 2] };
 
     /// What keeps functions that start at their edge from falling at once.
     pub(super) fn lift(&self) -> Self {
@@ -35,6 +54,12 @@ impl<const N: usize> Watch<N> {
 }
 
 impl<const N: usize> Curve<'_, N> {
+    /// All event functions, those lifted that start at their edge.
+    pub(super) fn lifted(&self, y: &State<N>) -> Watch<N> {
+        let watch = self.watch(y).unwrap_or(Watch::UNKNOWN);
+        Watch::from_fn(|i| watch.at(i) + self.lift.at(i))
+    }
+
     /// All event functions; `None` where the rates are not known.
     pub(super) fn watch(&self, y: &State<N>) -> Option<Watch<N>> {
         let now = self.leg.pace(&self.directions(y))?;

@@ -8,15 +8,14 @@ use super::separation::Bounds;
 use super::snapshot::Snapshot;
 use super::walker::Walker;
 use super::watch::{Row, WatchList, Watched};
-use crate::tolerance::{JUST_LEFT, LEAVES_DOWNWARD, RESOLVED_SHAPE};
+use crate::tolerance::{JUST_LEFT, LEAVES_DOWNWARD};
 use carom_num::Vec2;
+use carom_num::falls::{MOST_HALVINGS, Shown, shown};
 use carom_num::ode8::Step;
-use carom_num::poly::{NODES, Quartic};
+use carom_num::poly::NODES;
 
 /// What three nodes cannot show is taken to be at most this many times the highest term of their quadratic.
 const UNSEEN: f64 = 4.0;
-/// Halvings of a step after which an event function that stays positive at its nodes is taken as positive.
-const MOST_HALVINGS: u32 = 12;
 /// Event functions that are halved together.
 const MOST_DOUBTS: usize = 16;
 
@@ -49,35 +48,14 @@ fn far_from_zero(row: &[f64; 5]) -> bool {
 }
 
 /// What the values of an event function at the nodes of an interval say.
-enum Said {
-    /// It stays above zero.
-    Stays,
-    /// It is not seen to fall: it may come near zero, or the interval is so short that its nodes are one instant.
-    Nothing,
-    /// It falls through zero at this fraction of the interval.
-    Falls(f64),
-    /// The nodes do not show enough.
-    Doubtful,
-}
-
-fn said(values: &[f64; 5], w: &Watched, depth: u32) -> Said {
-    if !values.iter().all(|v| v.is_finite()) {
-        return Said::Nothing;
-    }
-    let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    if w.leaving.is_some() && values[0] < -LEAVES_DOWNWARD * largest {
+fn said(values: &[f64; 5], w: &Watched, depth: u32) -> Shown {
+    let largest = || values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+    if w.leaving.is_some() && values[0] < -LEAVES_DOWNWARD * largest() && values.iter().all(|v| v.is_finite())
+    {
         // It leaves zero downwards: the event is here.
-        return Said::Falls(0.0);
+        return Shown::Falls(0.0);
     }
-    let quartic = Quartic::through(values);
-    // What five nodes cannot show is taken to be at most the interpolant's own highest term.
-    if quartic.lower_bound() > quartic.highest {
-        return Said::Stays;
-    }
-    if quartic.highest > RESOLVED_SHAPE * largest && !quartic.certainly_falls() && depth < MOST_HALVINGS {
-        return Said::Doubtful;
-    }
-    quartic.first_fall().map_or(Said::Nothing, Said::Falls)
+    shown(values, depth < MOST_HALVINGS)
 }
 
 /// The earlier of two places.
@@ -369,9 +347,9 @@ fn verdict<'r>(rows: impl Iterator<Item = &'r Row>, part: Part) -> (Option<(f64,
     let (mut first, mut doubtful) = (None, false);
     for row in rows {
         match said(&row.values, &row.watched, part.depth) {
-            Said::Stays | Said::Nothing => {}
-            Said::Falls(x) => first = earlier(first, Some((part.place(x), row.watched))),
-            Said::Doubtful => doubtful = true,
+            Shown::Stays => {}
+            Shown::Falls(x) => first = earlier(first, Some((part.place(x), row.watched))),
+            Shown::Doubtful => doubtful = true,
         }
     }
     (first, doubtful)

@@ -1,7 +1,6 @@
 //! The events of a mode: found on the dense output of a step, polished by stepping to them.
 
 use super::course::Course;
-use super::nodes::first_fall;
 use super::posture::{Height, Posture};
 use super::terms::{Effort, Overturning};
 use super::{Supports, World};
@@ -9,6 +8,7 @@ use crate::evaluated::{Quantity, evaluated};
 use crate::tolerance::{CORRECTION_ROUNDING, FIRST_SECANT, LEAST_MARCH};
 use carom_num::Vec3;
 use carom_num::elementary::cos;
+use carom_num::falls::first_fall;
 use carom_num::ode8::{EVALUATIONS_PLAIN, Step};
 
 /// What ends a stretch.
@@ -108,9 +108,9 @@ impl<C: Course> Watch<'_, C> {
             let mut of = |x: f64| {
                 effort.event_evaluations += 1;
                 let (y, at) = place(x);
-                self.value(&event, &y, &at)
+                [self.value(&event, &y, &at)]
             };
-            let fall = first_fall(&mut of).map(|at| Found { at, event });
+            let fall = first_fall(&mut of).map(|fall| Found { at: fall.at, event });
             first = earlier(first, fall);
         }
         let free = (0..self.world.body().supports().len()).filter(|i| !self.held.contains(*i));
@@ -121,9 +121,9 @@ impl<C: Course> Watch<'_, C> {
                     effort.event_evaluations += 1;
                     let second = self.height(support, &posture(x)).second;
                     // At the very start it may be zero, but for rounding.
-                    if x == 0.0 { second.max(0.0) } else { second }
+                    [if x == 0.0 { second.max(0.0) } else { second }]
                 };
-                first_fall(&mut bend).unwrap_or(1.0)
+                first_fall(&mut bend).map_or(1.0, |fall| fall.at)
             } else {
                 0.0
             };

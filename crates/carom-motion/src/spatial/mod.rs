@@ -20,7 +20,6 @@ mod glide;
 mod grip;
 mod hull;
 mod mode;
-mod nodes;
 pub mod observer;
 mod onset;
 mod polyhedron;
