@@ -140,8 +140,9 @@ pub(crate) const SPRING_GAIN: f64 = 1e-9;
 /// How far ahead a contact that is about to be loaded is looked at, in the duration of an impact [1]: without a force it would not tell which way it
 /// slips.
 pub(crate) const SPRING_SOON: f64 = 1e-6;
-/// Friction beyond its cone by this fraction is rounding [1].
-pub(crate) const SPRING_CONE: f64 = 1e-12;
+/// Contacts stick until friction is beyond its cone by this fraction [1]: ten times [`SLACK_TOLERANCE`], by which the rate problem lets a cone be
+/// broken. It must not say again, where they let go, that they stick.
+pub(crate) const SPRING_CONE: f64 = 10.0 * SLACK_TOLERANCE;
 /// Steps below this fraction of the duration are refused [1]: numbers have overflowed, or the springs are out of reach.
 pub(crate) const SPRING_SHORTEST: f64 = 1e-13;
 

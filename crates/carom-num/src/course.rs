@@ -207,3 +207,61 @@ fn reach<C: Course>(course: &C, step: &Step<C::Y>, (event, x): (usize, f64)) -> 
     }
     end
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elementary::sin_cos;
+
+    /// An oscillator (position, velocity, time) whose events are these functions of it.
+    struct Oscillator<E>(E);
+
+    impl<const K: usize, E: Fn(&[f64; 3]) -> [f64; K]> Course for Oscillator<E> {
+        type Y = [f64; 3];
+        type Events = [f64; K];
+        type End = ();
+
+        fn rate(&self, y: &[f64; 3]) -> [f64; 3] {
+            [y[1], -y[0], 1.0]
+        }
+
+        fn events(&self, y: &[f64; 3]) -> [f64; K] {
+            (self.0)(y)
+        }
+    }
+
+    fn pace(first: f64) -> Pace<[f64; 3]> {
+        Pace { first, tolerance: [1e-9; 3], shortest: 1e-6, noise: None, most_steps: 100 }
+    }
+
+    /// Both ends of the step see the function positive: only what happens between tells.
+    #[test]
+    fn a_function_that_falls_and_rises_within_one_step_is_found() {
+        for depth in [1e-2, 1e-4, 1e-6] {
+            let dips = Oscillator(|y: &[f64; 3]| [1.0 - depth - y[0]]);
+            let Ok(Stop::Event { event: 0, y }) = follow(&dips, [0.0, 1.0, 0.0], &pace(2.5)) else {
+                panic!("it dips by {depth}")
+            };
+            // sin t = 1 − depth, on the way up.
+            let (sin, _) = sin_cos(y[2]);
+            assert!((sin - 1.0 + depth).abs() < 1e-8 && y[2] < std::f64::consts::FRAC_PI_2, "{depth}: {y:?}");
+        }
+    }
+
+    #[test]
+    fn of_two_events_in_one_step_the_first_ends_the_course() {
+        let both = Oscillator(|y: &[f64; 3]| [0.9 - y[2], 0.8 - y[2]]);
+        let Ok(Stop::Event { event, y }) = follow(&both, [0.0, 1.0, 0.0], &pace(1.0)) else {
+            panic!("both fall")
+        };
+        assert!(event == 1 && (y[2] - 0.8).abs() < 1e-12, "{event} at {y:?}");
+    }
+
+    #[test]
+    fn budgets_end_by_name() {
+        let none = Oscillator(|_: &[f64; 3]| [1.0]);
+        assert_eq!(follow(&none, [0.0, 1.0, 0.0], &pace(0.1)), Err(Lost::Steps));
+        let tight = Pace { tolerance: [1e-60; 3], ..pace(0.1) };
+        assert_eq!(follow(&none, [0.0, 1.0, 0.0], &tight), Err(Lost::Short));
+    }
+}

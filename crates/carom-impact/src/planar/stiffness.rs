@@ -15,8 +15,8 @@ use crate::tolerance::{
     RANK, SPRING_CONE, SPRING_GAIN, SPRING_REST, SPRING_SHORTEST, SPRING_SOON, SPRING_STEP_ERROR,
     SPRING_STILL,
 };
+use carom_num::course::{self, Course, Lost, Pace, Stop};
 use carom_num::elementary::pow;
-use carom_num::ode8::{Trial, length_factor, step_plain};
 
 /// Impulses (t, n), spring, and work (t, n) of up to six contacts.
 const STATE: usize = 5 * MOST_CONTACTS;
@@ -29,6 +29,10 @@ const WORK_N: usize = 4 * MOST_CONTACTS;
 
 /// Events after which the springs are given up.
 const MOST_EVENTS: usize = 20_000;
+/// The first step, in the duration of an impact.
+const FIRST_STEP: f64 = 0.01;
+/// Event functions of a contact.
+const OF_CONTACT: usize = 4;
 /// Restitution below which a spring would have to let go faster than can be followed.
 const LEAST_RESTITUTION: f64 = 0.01;
 
@@ -50,6 +54,12 @@ struct Springs<'a, const N: usize, const M: usize> {
     fastest: f64,
     /// Duration of the stiffest contact's own impact: the unit of time.
     time: f64,
+}
+
+/// The springs from one event to the next.
+struct Leg<'s, const N: usize, const M: usize> {
+    springs: &'s Springs<'s, N, M>,
+    mode: Mode<N>,
 }
 
 /// Resolves an impact whose contacts share it as springs of these stiffnesses (only their ratios count) and this exponent (1: linear, 1.5: Hertz).
@@ -190,7 +200,8 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             slip[i] = if u_t.abs() <= 10.0 * still { 0.0 } else { u_t };
             if active[i] {
                 // What is about to be loaded pulls already.
-                let soon = y[SPRING + i] + SPRING_SOON * self.time * (-u_n).max(still);
+                let z = y[SPRING + i];
+                let soon = if z > 0.0 { z } else { SPRING_SOON * self.time * (-u_n).max(still) };
                 load[i] = Load::Prescribed(self.force(soon, i));
             }
         }
@@ -215,44 +226,9 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
         })
     }
 
-    /// True where a state has left its mode.
-    fn left(&self, y: &State, mode: &Mode<N>) -> bool {
-        let still = SPRING_STILL * self.fastest;
-        let forces = self.forces(y, mode);
-        (0..self.set.count).any(|i| {
-            let [u_t, u_n] = self.velocity(y, i);
-            if !mode.active[i] {
-                return u_n < -2.0 * still;
-            }
-            let [q, f] = forces[i];
-            let turned = if mode.loading[i] { u_n > still } else { u_n < -still || y[SPRING + i] < 0.0 };
-            turned
-                || match mode.guess[i].slip {
-                    // Nothing changes where a slip without friction turns round.
-                    Slip::Forward | Slip::Backward if self.set.friction[i] == 0.0 => false,
-                    // A slip that starts may stand beyond zero by rounding: it has left its mode where it goes on that way.
-                    Slip::Forward => u_t < (mode.slip[i] - still).min(-still),
-                    Slip::Backward => u_t > (mode.slip[i] + still).max(still),
-                    Slip::Sticks => q.abs() > self.set.friction[i] * f * (1.0 + SPRING_CONE),
-                    Slip::Open => f > 0.0,
-                }
-        })
-    }
-
     fn run(&self) -> Result<State, ImpactError> {
         let mut y = [0.0; STATE];
-        let (deepest, fastest) = (self.time * self.fastest, self.fastest);
-        let impulse = fastest / self.set.operator[0][0].nn;
-        let tolerance: State = std::array::from_fn(|k| {
-            SPRING_STEP_ERROR
-                * if k < SPRING {
-                    impulse
-                } else if k < WORK_T {
-                    deepest
-                } else {
-                    impulse * fastest
-                }
-        });
+        let (deepest, pace) = (self.time * self.fastest, self.pace());
         for _ in 0..MOST_EVENTS {
             for z in &mut y[SPRING..WORK_T] {
                 *z = if *z <= SPRING_STILL * deepest { 0.0 } else { *z };
@@ -261,49 +237,80 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             if !mode.active.contains(&true) || self.holds_itself(&y, &mode) {
                 return Ok(y);
             }
-            y = self.until_left(y, &mode, &tolerance)?;
+            let leg = Leg { springs: self, mode };
+            y = match course::follow(&leg, y, &pace) {
+                Ok(Stop::Event { y, .. } | Stop::End(y)) => y,
+                Err(Lost::Short) => return Err(ImpactError::Overflow),
+                Err(Lost::Steps) => return Err(ImpactError::Unending { stages: MOST_EVENTS }),
+            };
         }
         Err(ImpactError::Unending { stages: MOST_EVENTS })
     }
 
-    /// Goes on in a mode until it is left, or until nothing moves in it.
-    fn until_left(&self, mut y: State, mode: &Mode<N>, tolerance: &State) -> Result<State, ImpactError> {
-        let f = |y: &State| self.rate(y, mode);
-        let mut length = 0.01 * self.time;
-        for _ in 0..MOST_EVENTS {
-            if self.holds_itself(&y, mode) {
-                return Ok(y);
-            }
-            let start = self.rate(&y, mode);
-            let trial = step_plain(y, start, length, f);
-            let error = trial.scaled_error(tolerance);
-            if error > 1.0 || !error.is_finite() {
-                length *= if error.is_finite() { length_factor(error).min(0.9) } else { 0.2 };
-                require(length > SPRING_SHORTEST * self.time, || ImpactError::Overflow)?;
-                continue;
-            }
-            if self.left(&trial.end, mode) {
-                return Ok(self.to_the_edge(&trial, start, mode));
-            }
-            y = trial.end;
-            length *= length_factor(error);
+    fn pace(&self) -> Pace<State> {
+        let (deepest, fastest) = (self.time * self.fastest, self.fastest);
+        let impulse = fastest / self.set.operator[0][0].nn;
+        let scale = |k: usize| match k {
+            _ if k < SPRING => impulse,
+            _ if k < WORK_T => deepest,
+            _ => impulse * fastest,
+        };
+        Pace {
+            first: FIRST_STEP * self.time,
+            tolerance: std::array::from_fn(|k| SPRING_STEP_ERROR * scale(k)),
+            shortest: SPRING_SHORTEST * self.time,
+            noise: None,
+            most_steps: MOST_EVENTS,
         }
-        Err(ImpactError::Unending { stages: MOST_EVENTS })
+    }
+}
+
+impl<const N: usize, const M: usize> Leg<'_, N, M> {
+    /// What ends the mode at a contact: it closes or opens, its spring is slack, and its slip turns round, or friction does not hold it, one way or
+    /// the other.
+    fn of_contact(&self, i: usize, y: &State, [q, f]: [f64; 2]) -> [f64; OF_CONTACT] {
+        let (springs, mode) = (self.springs, &self.mode);
+        let still = SPRING_STILL * springs.fastest;
+        let [u_t, u_n] = springs.velocity(y, i);
+        if !mode.active[i] {
+            return [u_n + 2.0 * still, 1.0, 1.0, 1.0];
+        }
+        let [turns, slack] = if mode.loading[i] { [still - u_n, 1.0] } else { [u_n + still, y[SPRING + i]] };
+        let friction = springs.set.friction[i];
+        let [one, other] = match mode.guess[i].slip {
+            // Nothing changes where a slip without friction turns round.
+            _ if friction == 0.0 => [1.0; 2],
+            // A slip that starts may stand beyond zero by rounding: it has left its mode where it goes on that way.
+            Slip::Forward => [u_t - (mode.slip[i] - still).min(-still), 1.0],
+            Slip::Backward => [(mode.slip[i] + still).max(still) - u_t, 1.0],
+            Slip::Sticks => {
+                let most = friction * f * (1.0 + SPRING_CONE);
+                [most - q, most + q]
+            }
+            Slip::Open => [1.0; 2],
+        };
+        [turns, slack, one, other]
+    }
+}
+
+impl<const N: usize, const M: usize> Course for Leg<'_, N, M> {
+    type Y = State;
+    type Events = [[f64; OF_CONTACT]; N];
+    type End = State;
+
+    fn rate(&self, y: &State) -> State {
+        self.springs.rate(y, &self.mode)
     }
 
-    /// The first state within a step that has left its mode.
-    fn to_the_edge(&self, trial: &Trial<State>, start: State, mode: &Mode<N>) -> State {
-        let (mut low, mut high, mut end) = (0.0, trial.length, trial.end);
-        for _ in 0..48 {
-            let middle = 0.5 * (low + high);
-            let at = step_plain(trial.start, start, middle, |y| self.rate(y, mode)).end;
-            if self.left(&at, mode) {
-                (high, end) = (middle, at);
-            } else {
-                low = middle;
-            }
-        }
-        end
+    fn events(&self, y: &State) -> [[f64; OF_CONTACT]; N] {
+        let forces = self.springs.forces(y, &self.mode);
+        std::array::from_fn(|i| {
+            if i < self.springs.set.count { self.of_contact(i, y, forces[i]) } else { [1.0; OF_CONTACT] }
+        })
+    }
+
+    fn end(&self, y: &State, _: &State) -> Option<State> {
+        self.springs.holds_itself(y, &self.mode).then_some(*y)
     }
 }
 
