@@ -2,7 +2,8 @@
 
 use crate::draw::{coefficient, direction, magnitude, signed};
 use arbitrary::{Result, Unstructured};
-use carom_impact::planar::{ContactSet6, ImpactError, Law, MOST_CONTACTS, Touch, single, staged};
+use carom_impact::planar::{ContactSet6, MOST_CONTACTS, Touch, single, staged};
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 
 /// Residuals against the sum of their terms: rounding of a walk of some hundred stages over operators whose entries differ by powers of ten.

@@ -6,7 +6,7 @@ use crate::draw::{between, coefficient, magnitude, signed};
 use crate::texts::{SHORT, check_numbers};
 use arbitrary::{Result, Unstructured};
 use carom_feeder::{Feeder, Form, Part, PartKind, Plate, Run, Start, Stop, Wall};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{Shape, World};
 use carom_num::Vec2;
 

@@ -3,7 +3,8 @@
 use crate::contacts::contact_set;
 use crate::draw::signed;
 use arbitrary::{Result, Unstructured};
-use carom_impact::planar::rate::{Load, RateProblem};
+use carom_impact::Load;
+use carom_impact::planar::rate::RateProblem;
 use carom_impact::planar::{ContactSet6, MOST_CONTACTS};
 
 /// Residuals against the sum of their terms: a system of twelve equations whose entries differ by powers of ten.

@@ -2,7 +2,8 @@
 
 use crate::plain::{self, Contact, ContactEnd, ContactState, EndState, ImpactResult, Outcome};
 use crate::refusal::Refusal;
-use carom_impact::planar::{self, Law, Touch};
+use carom_impact::Law;
+use carom_impact::planar::{self, Touch};
 use carom_num::Vec2;
 use carom_scene::quantity::{Allowed, Kind};
 use carom_scene::unit::Dimension;

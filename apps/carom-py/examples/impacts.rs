@@ -1,6 +1,7 @@
 //! A million impacts in a loop of Rust, on all cores: what the package's call is measured against. Prints the least time of fifteen [s].
 
-use carom_impact::planar::{ContactSet, Law, Touch, single};
+use carom_impact::Law;
+use carom_impact::planar::{ContactSet, Touch, single};
 use carom_num::Vec2;
 use rayon::prelude::*;
 use std::time::Instant;

@@ -3,7 +3,7 @@
 use crate::failure::{of_input, of_words};
 use crate::watch::pool;
 use carom::tasks;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_scene::{Problem, ProblemKind, Problems, Scene};
 use carom_words::Words;
 use numpy::ndarray::ArrayView1;

@@ -5,7 +5,7 @@ use crate::failure::{of_inputs, of_words};
 use crate::given::{Given, at, rows};
 use crate::watch::long;
 use carom::motion::spatial::{End, Friction, State};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::{Rotation, Vec3};
 use carom_scene::{PoseMark, SpatialRollKind, SpatialRollProblem};
 use numpy::ndarray::ArrayView2;

@@ -1,6 +1,7 @@
 //! Numbers drawn from wide ranges.
 
-use carom_impact::planar::{Law, Touch};
+use carom_impact::Law;
+use carom_impact::planar::Touch;
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

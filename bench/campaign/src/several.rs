@@ -2,7 +2,8 @@
 
 use crate::draw;
 use crate::tally::{Tally, kind_of};
-use carom_impact::planar::{ContactSet6, ImpactError, Touch, staged};
+use carom_impact::ImpactError;
+use carom_impact::planar::{ContactSet6, Touch, staged};
 use carom_num::Vec2;
 use carom_theory::wedging::{PushedPoint, least_wrench};
 use rand::RngExt;

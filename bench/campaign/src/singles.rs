@@ -2,7 +2,8 @@
 
 use crate::draw;
 use crate::tally::{Tally, kind_of};
-use carom_impact::planar::{ContactSet2, ImpactType, Law, single};
+use carom_impact::Law;
+use carom_impact::planar::{ContactSet2, ImpactType, single};
 use carom_num::Vec2;
 use rand::RngExt;
 

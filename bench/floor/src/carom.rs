@@ -2,7 +2,7 @@
 
 use crate::answer::{Design, GRAVITY};
 use carom_feeder::{Feeder, Outcome, Part, Plate, Prepared, RunError, Start, Stop, Verdict};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::Options;
 use carom_num::Vec2;
 

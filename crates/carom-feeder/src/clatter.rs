@@ -148,7 +148,8 @@ fn clatter(stages: &[Stage], trace: &Trace, run: &RangeInclusive<usize>) -> Opti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use carom_impact::planar::{ContactState, Law};
+    use carom_impact::Law;
+    use carom_impact::planar::ContactState;
     use carom_motion::planar::trace::{ContactVelocity, ImpactContact};
     use carom_motion::planar::{Feature, Pose, Twist};
     use carom_num::Vec2;

@@ -57,7 +57,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
     use super::*;
-    use carom_impact::planar::Law;
+    use carom_impact::Law;
     use carom_motion::planar::{Body, Obstacle, Pose, Shape, Twist};
     use carom_num::Vec2;
 

@@ -1,7 +1,7 @@
 //! Small feeders that examples share: every number in them is round, so that a result can be checked by hand. g = 10 m/s².
 
 use crate::{Feeder, Part, PartKind, Plate, Start, Stop};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::examples::{disc, rod};
 use carom_num::Vec2;
 

@@ -2,7 +2,7 @@
 
 use crate::form::Form;
 use crate::tolerance::PLATES_TOUCH;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
 use carom_num::segment::properly_cross;

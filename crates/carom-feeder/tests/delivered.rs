@@ -4,7 +4,7 @@
 #![allow(clippy::print_stdout, reason = "how many are delivered is a measurement")]
 
 use carom_feeder::{Feeder, JamKind, Outcome, Part, PartKind, Plate, Run, Start, Stop, Wall};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
 use carom_num::elementary::tan;

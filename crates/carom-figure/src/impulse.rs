@@ -1,6 +1,6 @@
 //! Routh's impulse plane of one contact, ready to be drawn.
 
-use carom_impact::planar::Phase;
+use carom_impact::Phase;
 use carom_motion::planar::Body;
 use carom_motion::planar::trace::{Impact, ImpactContact};
 use carom_words::{
@@ -33,7 +33,8 @@ pub struct ImpulsePoint {
 /// A ball of 1 kg whose slip friction stops: on the last corner both lines meet, `u_t = 1.05 + 3.5 p_t` and
 /// `u_n = p_n − 2` being zero.
 /// ```
-/// use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
+/// use carom_figure::{ImpulsePlane, ImpulsePoint};
+/// use carom_impact::Phase;
 /// let (phase, label) = (Phase::Compression, "compression ends".to_owned());
 /// let plane = ImpulsePlane {
 ///     operator: Some([3.5, 0.0, 1.0]), slip: 1.05, approach: -2.0, friction: 0.3,

@@ -8,7 +8,7 @@ use crate::svg::{self, line, text};
 use crate::text::{fixed, px};
 use crate::ticks::ticks;
 use crate::tolerance::UNSEEN;
-use carom_impact::planar::Phase;
+use carom_impact::Phase;
 use carom_num::Vec2;
 
 const WIDTH: f64 = 460.0;
@@ -41,7 +41,8 @@ impl Scale {
 /// # Example
 /// Two stages are two lines of the walk; without an impulse there is nothing to draw.
 /// ```
-/// # use {carom_figure::{ImpulsePlane, ImpulsePoint}, carom_impact::planar::Phase};
+/// # use carom_figure::{ImpulsePlane, ImpulsePoint};
+/// # use carom_impact::Phase;
 /// # let point = |normal, tangential, label: &str| ImpulsePoint {
 /// #     normal, tangential, phase: Phase::Compression, label: label.to_owned(),
 /// # };

@@ -147,7 +147,7 @@ fn framed(plane: &ImpulsePlane, canvas: &Canvas, half: f64, normal: f64) -> Stri
 mod tests {
     use super::*;
     use crate::ImpulsePoint;
-    use carom_impact::planar::Phase;
+    use carom_impact::Phase;
 
     #[test]
     fn the_terminal_plane_keeps_its_size_and_names_its_lines() {

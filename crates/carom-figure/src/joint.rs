@@ -1,6 +1,7 @@
 //! The walk of several contacts through one impact, ready to be drawn as one picture.
 
-use carom_impact::planar::{Phase, Slip, StageEnd, staged};
+use carom_impact::Phase;
+use carom_impact::planar::{Slip, StageEnd, staged};
 use carom_motion::planar::trace::Impact;
 
 /// A contact of a joint walk.

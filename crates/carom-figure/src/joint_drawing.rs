@@ -6,7 +6,7 @@ use crate::markup::{Markup, document, html, joined};
 use crate::svg::{self, line, text};
 use crate::text::px;
 use crate::{joint_planes, joint_strips};
-use carom_impact::planar::Phase;
+use carom_impact::Phase;
 use carom_words::{
     Words,
     impact::{brief_slip, stage_end},
@@ -39,7 +39,8 @@ const LAST_LINES: usize = 2;
 /// Without stages there is no impulse to draw.
 /// ```
 /// # use carom_figure::{JointContact, JointWalk};
-/// # use {carom_impact::planar::{Law, ContactSet2, Touch, staged}, carom_num::Vec2};
+/// # use carom_impact::{Law, planar::{ContactSet2, Touch, staged}};
+/// # use carom_num::Vec2;
 /// # let normal = Vec2::new(0.0, 1.0);
 /// # let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.2, restitution: 0.0 };
 /// # let velocity = Vec2::new(0.0, -3.0);

@@ -6,7 +6,7 @@ use crate::markup::{Markup, html, joined};
 use crate::svg::{self, line, text};
 use crate::text::{fixed, px, trimmed};
 use crate::ticks::ticks;
-use carom_impact::planar::Phase;
+use carom_impact::Phase;
 use carom_num::Vec2;
 
 /// Height of a panel's plane, and of a row with its names and ticks [px].

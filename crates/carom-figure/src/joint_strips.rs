@@ -7,7 +7,7 @@ use crate::svg::{self, line, text};
 use crate::text::{fixed, px};
 use crate::ticks::{ticks, widened};
 use crate::tolerance::ROUNDING;
-use carom_impact::planar::Phase;
+use carom_impact::Phase;
 
 /// Height of a strip, and of a strip with its name [px].
 const STRIP: f64 = 118.0;

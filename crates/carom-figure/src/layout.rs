@@ -40,7 +40,9 @@ const LABELLED: usize = 24;
 /// # Example
 /// Of a plate that falls 3 in 4 the slope is written, 36.9°; a run adds the part at the start of every stage.
 /// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # use carom_feeder::{Feeder, Part, Plate, Start, Stop};
+/// # use carom_impact::Law;
+/// # use carom_num::Vec2;
 /// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
 /// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
 /// # let form = Default::default();

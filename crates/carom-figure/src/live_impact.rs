@@ -48,7 +48,8 @@ pub struct LiveWalk {
 ///
 /// # Example
 /// ```
-/// use {carom_figure::{ImpactPicture, ImpulsePlane, ImpulsePoint, live_walk}, carom_impact::planar::Phase};
+/// use carom_figure::{ImpactPicture, ImpulsePlane, ImpulsePoint, live_walk};
+/// use carom_impact::Phase;
 /// let end = ImpulsePoint { normal: 2.0, tangential: -0.3, phase: Phase::Compression, label: String::new() };
 /// let plane = ImpulsePlane { operator: None, slip: 1.0, approach: -2.0, friction: 0.3, points: vec![end] };
 /// let walk = live_walk(&ImpactPicture::Plane(plane)).unwrap();

@@ -85,7 +85,7 @@ pub(crate) fn slope_text(feeder: &Feeder, draft: &Draft, plate: usize) -> String
 mod tests {
     use super::*;
     use carom_feeder::{Part, Plate, Start, Stop};
-    use carom_impact::planar::Law;
+    use carom_impact::Law;
 
     fn feeder() -> Feeder {
         let plate = |name: &str, uphill, edge| Plate {

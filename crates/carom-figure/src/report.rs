@@ -69,7 +69,9 @@ pub struct Extra {
 /// # Example
 /// Of a plate that falls 3 in 4 the slope is atan(3/4) = 36.87°.
 /// ```
-/// # use {carom_feeder::{Feeder, Part, Plate, Start, Stop}, carom_impact::planar::Law, carom_num::Vec2};
+/// # use carom_feeder::{Feeder, Part, Plate, Start, Stop};
+/// # use carom_impact::Law;
+/// # use carom_num::Vec2;
 /// # let (friction, restitution, unbounded) = (0.5, 0.0, false);
 /// # let (uphill, edge) = (Vec2::new(-0.8, 0.6), Vec2::ZERO);
 /// # let plates = vec![Plate { name: "upper".to_owned(), uphill, edge, friction, restitution, unbounded, form: Default::default() }];

@@ -87,7 +87,9 @@ pub struct RollFigure<'a> {
 ///
 /// # Example
 /// ```
-/// # use {carom_figure::RollFigure, carom_impact::planar::Law, carom_num::Vec2};
+/// # use carom_figure::RollFigure;
+/// # use carom_impact::Law;
+/// # use carom_num::Vec2;
 /// # use carom_motion::planar::{Body, Obstacle, Pose, Shape, State, Twist, World, trace::Trace};
 /// # let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
 /// # let body = Body { shape: Shape::new(corners.to_vec(), 0.0).unwrap(), mass: 1.0, inertia: 2.0 / 3.0 };
@@ -186,7 +188,7 @@ fn one(i: usize, strike: &RollStrike) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use carom_impact::planar::Law;
+    use carom_impact::Law;
     use carom_motion::planar::{Body, Happening, Obstacle, Options, Pose, Recorder, Shape, Twist, Walker};
 
     /// A square prism turns about its left edge with 1 rad/s; its face is this far from flat.

@@ -8,7 +8,7 @@ use crate::page::Page;
 use crate::report::REPORT_CSS;
 use crate::text::{capitalised, fixed, percent, significant};
 use crate::yield_tables::{inputs, laws, transitions, worst};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_study::Ending;
 use carom_study::yields::{Estimate, PlateSpread, Sensitivity, Spread, Yield};
 use carom_words::study;
@@ -89,7 +89,8 @@ pub struct YieldFigure<'a> {
 /// Why it is not known what decides is said.
 /// ```
 /// # use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
-/// # use {carom_impact::planar::Law, carom_study::{Ending, yields::{Estimate, Yield}}};
+/// # use carom_impact::Law;
+/// # use carom_study::{Ending, yields::{Estimate, Yield}};
 /// # let share = Estimate { share: 0.75, low: 0.65, high: 0.83, count: 75 };
 /// # let found = Yield {
 /// #     wanted: share, kept: share, endings: vec![], transitions: vec![], recirculation: None, plates: vec![], time: None,

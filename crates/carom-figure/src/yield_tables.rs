@@ -3,7 +3,7 @@
 use crate::markup::{Markup, html, joined, table, unfolded};
 use crate::text::{capitalised, fixed, percent, significant};
 use crate::yield_page::{YieldFigure, YieldQuantity, YieldWorst};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Recirculation, Transition};
 use carom_words::{Words, study};

@@ -4,7 +4,8 @@
 use carom_feeder::{Feed, Feeder, Form, Part, PartKind, Plate, Start, Stop};
 use carom_figure::senses::{forward_sense, tilt};
 use carom_figure::*;
-use carom_impact::planar::{ContactSet2, Law, Phase, StageEnd, Touch, staged};
+use carom_impact::planar::{ContactSet2, StageEnd, Touch, staged};
+use carom_impact::{Law, Phase};
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{
     Body, ChainPoint, MassProperties, Obstacle, Options, Pose, Shape, State, Surface, Twist, World,

@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
 use carom_figure::{JointContact, JointWalk, joint_svg};
+use carom_impact::Law;
 use carom_impact::planar::staged::{self, resolve_observed};
-use carom_impact::planar::{ContactSet2, Law, Touch};
+use carom_impact::planar::{ContactSet2, Touch};
 use carom_num::Vec2;
 
 /// A body on two inclined supports, whose slips stop by turns.

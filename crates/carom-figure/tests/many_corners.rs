@@ -4,7 +4,7 @@
 
 use carom_feeder::{Feeder, Part, PartKind, Plate, Start, Stop};
 use carom_figure::{Draft, Extra, layout_svg, report};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
 use carom_num::elementary::{cos, sin};

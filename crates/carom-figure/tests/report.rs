@@ -9,7 +9,7 @@ use carom_figure::{
     Draft, Extra, ImpulsePlane, ImpulsePoint, QuantityLimit, impulse_svg, impulse_text, layout_svg, report,
     senses, trace_csv,
 };
-use carom_impact::planar::Phase;
+use carom_impact::Phase;
 use carom_motion::planar::{Body, Feature, Obstacle, Pose, Shape};
 use carom_num::Vec2;
 use carom_words::part;

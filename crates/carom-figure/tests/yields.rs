@@ -6,7 +6,7 @@ mod fixture;
 
 use carom_feeder::{Feeder, Verdict};
 use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_study::Ending;
 use carom_study::yields::{Plan, Points, Sensitivity, Yield, sample};
 

@@ -1,7 +1,8 @@
 //! What one impact costs: at one contact, a mix of all types under all laws, at two contacts, a box that lands on its
 //! second corner; every end state of four; and bodies in space that fall on one, two and four supports.
 
-use carom_impact::planar::{ContactSet2, ContactSet6, Law, Touch, end_states, single, staged};
+use carom_impact::Law;
+use carom_impact::planar::{ContactSet2, ContactSet6, Touch, end_states, single, staged};
 use carom_impact::spatial;
 use carom_num::{Mat3, Vec2, Vec3};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

@@ -2,6 +2,13 @@
 //!
 //! [`planar`] holds bodies that move in a plane, [`spatial`] bodies in space.
 
+mod error;
+mod law;
+mod load;
 pub mod planar;
 pub mod spatial;
 mod tolerance;
+
+pub use error::ImpactError;
+pub use law::{Law, Phase};
+pub use load::Load;

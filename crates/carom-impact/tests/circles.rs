@@ -9,7 +9,8 @@
 
 mod obstacles;
 
-use carom_impact::planar::{ContactSet6, ImpactError, Law, Touch, staged};
+use carom_impact::planar::{ContactSet6, Touch, staged};
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

@@ -7,7 +7,8 @@
 //! Where a contact lies within rounding of a boundary, the two sides may take it for the two types that meet there; impulses are
 //! continuous across it, and the condition that counts is that of both types together.
 
-use carom_impact::planar::{Class, ContactState, ImpactType, Law, single};
+use carom_impact::Law;
+use carom_impact::planar::{Class, ContactState, ImpactType, single};
 use carom_num::elementary::pow;
 use carom_theory::single_contact as theory;
 use rand::{RngExt, SeedableRng};

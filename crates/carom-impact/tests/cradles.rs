@@ -6,8 +6,9 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
+use carom_impact::Law;
 use carom_impact::planar::sharing::{self, Sharing};
-use carom_impact::planar::{ContactSet6, Law, Meeting, RigidBody, struck};
+use carom_impact::planar::{ContactSet6, Meeting, RigidBody, struck};
 use carom_num::Vec2;
 use carom_num::elementary::pow;
 

@@ -6,8 +6,9 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
+use carom_impact::Law;
 use carom_impact::planar::staged::{self, StagedOutcome};
-use carom_impact::planar::{Block, ContactSet, ContactSet6, Law, Touch, end_states};
+use carom_impact::planar::{Block, ContactSet, ContactSet6, Touch, end_states};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

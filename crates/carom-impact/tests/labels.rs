@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use carom_impact::planar::staged;
-use carom_impact::planar::{ContactSet6, ImpactError, Law, Slip, Touch, end_states};
+use carom_impact::planar::{ContactSet6, Slip, Touch, end_states};
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

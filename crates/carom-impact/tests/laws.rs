@@ -1,6 +1,7 @@
 //! Laws that every impact obeys, over random contacts.
 
-use carom_impact::planar::{ContactSet, ContactSet2, ContactSet6, ContactState, Law, Touch, single, staged};
+use carom_impact::Law;
+use carom_impact::planar::{ContactSet, ContactSet2, ContactSet6, ContactState, Touch, single, staged};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

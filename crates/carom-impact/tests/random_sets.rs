@@ -8,7 +8,8 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-use carom_impact::planar::{ContactSet6, ImpactError, Law, Slip, Touch, end_states, staged};
+use carom_impact::planar::{ContactSet6, Slip, Touch, end_states, staged};
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
-use carom_impact::planar::rate::{Load, RateProblem};
+use carom_impact::Load;
+use carom_impact::planar::rate::RateProblem;
 use carom_impact::planar::{Answer, Condition, ContactSet2, Slip, Touch};
 use carom_num::Vec2;
 

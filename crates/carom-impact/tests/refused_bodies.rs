@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::{ContactSet2, Law, Meeting, RigidBody, Touch, single, struck};
+use carom_impact::Law;
+use carom_impact::planar::{ContactSet2, Meeting, RigidBody, Touch, single, struck};
 use carom_num::Vec2;
 
 fn ball() -> RigidBody {

@@ -6,7 +6,8 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-use carom_impact::planar::rate::{Load, RateProblem};
+use carom_impact::Load;
+use carom_impact::planar::rate::RateProblem;
 use carom_impact::planar::{Block, Broken, Condition, ContactSet6, Guess, Slip, Touch};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};

@@ -4,7 +4,8 @@
 
 mod rocking_bodies;
 
-use carom_impact::planar::{Law, Phase, Slip, Touch, staged};
+use carom_impact::planar::{Slip, Touch, staged};
+use carom_impact::{Law, Phase};
 use carom_num::Vec2;
 use carom_num::elementary::pow;
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};

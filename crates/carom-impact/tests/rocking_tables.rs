@@ -6,7 +6,8 @@ mod rocking_bodies;
 #[path = "../../carom-theory/tests/tables/mod.rs"]
 mod tables;
 
-use carom_impact::planar::{Law, Phase, end_states, staged};
+use carom_impact::planar::{end_states, staged};
+use carom_impact::{Law, Phase};
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
 use rocking_bodies::{Rocking, number_of, ordered};
 use tables::{Row, rows};

@@ -9,7 +9,7 @@
 
 mod random;
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_impact::spatial::{Contact, ContactSet, Preference, RigidBody, Touch, staged};
 use carom_num::{Mat3, Rotation, Vec3};
 use random::numbers;

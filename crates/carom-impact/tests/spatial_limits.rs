@@ -8,7 +8,7 @@
 
 mod random;
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_impact::spatial::{
     Conclusion, ContactSet, Meeting, RigidBody, StagedOutcome, Touch, staged, struck,
 };

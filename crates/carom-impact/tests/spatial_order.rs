@@ -6,7 +6,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_impact::spatial::{ContactSet, Preference, RigidBody, Touch, staged};
 use carom_num::elementary::sin_cos;
 use carom_num::{Mat3, Vec3};

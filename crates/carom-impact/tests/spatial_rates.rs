@@ -11,7 +11,7 @@
 
 mod random;
 
-use carom_impact::planar::rate::Load;
+use carom_impact::Load;
 use carom_impact::spatial::{Condition, ContactSet, Mode, RateProblem, RigidBody, Solution, Touch};
 use carom_num::solve::solve_any;
 use carom_num::{Mat3, Rotation, Vec3};

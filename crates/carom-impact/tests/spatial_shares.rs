@@ -6,7 +6,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-use carom_impact::planar::rate::Load;
+use carom_impact::Load;
 use carom_impact::spatial::{Condition, ContactSet, Guess, Mode, RateProblem, RigidBody, Touch};
 use carom_num::solve::solve_regular;
 use carom_num::{Mat3, Vec3};

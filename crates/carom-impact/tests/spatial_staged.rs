@@ -8,7 +8,8 @@
 
 mod random;
 
-use carom_impact::planar::{self, Law};
+use carom_impact::Law;
+use carom_impact::planar;
 use carom_impact::spatial::{Contact, ContactSet, RigidBody, Touch, staged};
 use carom_num::{Mat3, Rotation, Vec2, Vec3};
 use random::numbers;

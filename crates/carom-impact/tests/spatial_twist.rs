@@ -8,7 +8,7 @@
 
 mod random;
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_impact::spatial::{ContactSet, Mode, Preference, RigidBody, StageEvent, Touch, staged};
 use carom_num::elementary::sin_cos;
 use carom_num::{Mat3, Vec3};

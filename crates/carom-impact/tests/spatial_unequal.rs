@@ -12,8 +12,8 @@
 mod exact_law;
 mod unequal_feet;
 
-use carom_impact::planar::Law;
-use carom_impact::planar::rate::Load;
+use carom_impact::Law;
+use carom_impact::Load;
 use carom_impact::spatial::{
     ContactSet, Ground, Mode, Preference, RateProblem, RigidBody, StageEvent, Touch, staged,
 };

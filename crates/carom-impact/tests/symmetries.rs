@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 #![allow(clippy::panic, reason = "a test may stop at what it does not expect")]
 
-use carom_impact::planar::{ContactSet6, ImpactError, Law, Touch, staged};
+use carom_impact::planar::{ContactSet6, Touch, staged};
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

@@ -8,7 +8,8 @@
 
 mod obstacles;
 
-use carom_impact::planar::{ContactSet6, ImpactError, Law, Touch, staged};
+use carom_impact::planar::{ContactSet6, Touch, staged};
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 use carom_theory::wedging::{PushedPoint, least_wrench, most_pressed};
 use rand::{RngExt, SeedableRng};

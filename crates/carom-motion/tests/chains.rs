@@ -4,7 +4,8 @@
 
 mod walk;
 
-use carom_impact::planar::{Law, Slip};
+use carom_impact::Law;
+use carom_impact::planar::Slip;
 use carom_motion::planar::trace::PieceEnd;
 use carom_motion::planar::{
     Body, ChainPoint, Happening, MassProperties, Obstacle, Options, Pose, Recorder, Shape, State, Twist,

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{
     Body, ChainPoint, Happening, MassProperties, Obstacle, Options, Pose, Recorder, Shape, State, Twist,

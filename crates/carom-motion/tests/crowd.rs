@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_impact::planar::{ContactSet6, Law, Meeting, RigidBody, staged, struck};
+use carom_impact::Law;
+use carom_impact::planar::{ContactSet6, Meeting, RigidBody, staged, struck};
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{
     Body, Crowd, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Surface, Twist, Walker, World,

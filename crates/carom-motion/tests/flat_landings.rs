@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_impact::spatial::staged;
 use carom_motion::spatial::{Body, Friction, State, Supports, World, frictional_contacts};
 use carom_num::elementary::sin_cos;

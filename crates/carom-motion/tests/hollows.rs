@@ -5,7 +5,7 @@
 mod on_edge;
 mod walk;
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::trace::{ContactSample, Piece, PieceEnd, Sample, Trace};
 use carom_motion::planar::{Body, ChainPoint, Happening, Obstacle, Pose, Shape, State, Twist, World};
 use carom_num::Vec2;

@@ -5,7 +5,8 @@
 mod on_edge;
 mod walk;
 
-use carom_impact::planar::{Law, Slip};
+use carom_impact::Law;
+use carom_impact::planar::Slip;
 use carom_motion::planar::trace::{Impact, Piece, PieceEnd, Sample, Trace};
 use carom_motion::planar::{
     Body, ChainPoint, Feature, Happening, MassProperties, Obstacle, Pose, Shape, State, Twist, World,

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{
     Body, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
 };

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two engines differ is a measurement")]
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{self, Happening, Obstacle, Shape};
 use carom_motion::spatial::{self, Friction, Mode, Samples};
 use carom_num::{Mat3, Rotation, Vec2, Vec3};

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use carom_impact::planar::{Law, Slip};
+use carom_impact::Law;
+use carom_impact::planar::Slip;
 use carom_motion::planar::trace::{Piece, PieceEnd, Trace};
 use carom_motion::planar::{
     Body, Feature, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{
     Body, Feature, Kinematics, Obstacle, Pairing, Pose, Shape, State, Surface, Twist, World,
 };

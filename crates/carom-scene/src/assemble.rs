@@ -13,7 +13,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::unit::Dimension;
 use carom_feeder::{Feed, Feeder, FeederProblem, Form, Part, PartKind, Plate, RunError, Start, Stop, Wall};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{ChainPoint, Options, Pose};
 use carom_num::Vec2;
 use carom_words::part;

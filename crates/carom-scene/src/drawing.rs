@@ -5,7 +5,7 @@ use crate::contact_table::NamedContact;
 pub(crate) use crate::part_drawing::{MassCentre, MassSpec, Outline, PartDrawing, ShapeWord};
 use crate::quantity::Quantity;
 use carom_feeder::Stop;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_study::design::{Aim, Limits};
 use carom_words::Words;
 use std::ops::Range;

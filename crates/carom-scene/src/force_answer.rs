@@ -7,7 +7,8 @@ use crate::problem::{Problem, ProblemKind, Problems};
 use crate::unit::Dimension;
 use carom_impact::planar::forces::{Acceleration, Applied, Loaded, accelerations};
 
-use carom_impact::planar::{Broken, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody};
+use carom_impact::ImpactError;
+use carom_impact::planar::{Broken, Guess, MOST_CONTACTS, Meeting, RigidBody};
 use carom_num::Vec2;
 
 /// A motion that all laws allow.

@@ -4,7 +4,7 @@ use crate::impact_contacts::{ImpactContacts, MOST_PIVOTED};
 use crate::impact_file::{Convention, ImpactProblem};
 use crate::impact_verdict::{Certainty, SharingVerdict};
 use carom_impact::planar::{
-    ContactSet6, ImpactError, ImpactType, Law, MOST_CONTACTS,
+    ContactSet6, ImpactType, MOST_CONTACTS,
     end_states::{self, EndState, EndStates},
     pivoting,
     share::{self, Share},
@@ -12,6 +12,7 @@ use carom_impact::planar::{
     single,
     staged::{self, StagedOutcome},
 };
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 use carom_words::Words;
 

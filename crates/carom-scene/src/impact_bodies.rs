@@ -5,8 +5,9 @@ use crate::impact_contacts::ImpactContacts;
 use crate::impact_file::{read_applied, vector};
 use crate::impact_touch::{Named, ReadContact, ReadTouch, tell_twins};
 use crate::problem::{Problem, ProblemKind};
+use carom_impact::ImpactError;
 use carom_impact::planar::forces::Applied;
-use carom_impact::planar::{ImpactError, Meeting, RigidBody, struck};
+use carom_impact::planar::{Meeting, RigidBody, struck};
 use carom_num::Vec2;
 use std::ops::Range;
 

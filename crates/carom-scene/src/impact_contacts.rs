@@ -1,7 +1,8 @@
 //! The contacts of an impact: how many there are decides what can be asked of them.
 
+use carom_impact::ImpactError;
 use carom_impact::planar::pivoting::ContactSet24;
-use carom_impact::planar::{ContactSet, ContactSet6, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Touch};
+use carom_impact::planar::{ContactSet, ContactSet6, MOST_CONTACTS, Meeting, RigidBody, Touch};
 use carom_num::Vec2;
 
 /// As many contacts as an impact file may have.

@@ -4,7 +4,8 @@ use crate::impact_event_report::{ImpactEventReport, ImpactFailure};
 use crate::impact_file::Convention;
 use crate::impact_verdict::SharingVerdict;
 use crate::word::Word;
-use carom_impact::planar::{ContactState, Phase, Slip};
+use carom_impact::Phase;
+use carom_impact::planar::{ContactState, Slip};
 use schemars::JsonSchema;
 use serde::Serialize;
 

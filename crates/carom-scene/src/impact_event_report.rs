@@ -1,6 +1,7 @@
 //! Why stages of an impact end, and why an impact has no walk, as JSON.
 
-use carom_impact::planar::{ImpactError, StageEnd};
+use carom_impact::ImpactError;
+use carom_impact::planar::StageEnd;
 use carom_impact::spatial::{Ground, StageEvent};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -110,7 +111,7 @@ impl ForcedReport {
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::ImpactError;
+/// use carom_impact::ImpactError;
 /// use carom_scene::ImpactFailure;
 /// assert_eq!(ImpactFailure::of(&ImpactError::Jammed), ImpactFailure::Jammed);
 /// ```

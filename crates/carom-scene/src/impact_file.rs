@@ -11,7 +11,8 @@ use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Quantity;
 use carom_impact::planar::forces::Applied;
 use carom_impact::planar::sharing::Sharing;
-use carom_impact::planar::{ImpactError, Law, MOST_CONTACTS, Touch};
+use carom_impact::planar::{MOST_CONTACTS, Touch};
+use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;
 use std::ops::Range;
 

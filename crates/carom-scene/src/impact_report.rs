@@ -12,8 +12,9 @@ use crate::impact_verdict::{ImpactOutcome, Uniqueness};
 use crate::inequality_report::InequalityReport;
 use crate::tolerance::WORK_ROUNDING;
 use crate::word::Word;
+use carom_impact::Law;
 use carom_impact::planar::{
-    Class, ContactState, Law, MOST_CONTACTS, Slip,
+    Class, ContactState, MOST_CONTACTS, Slip,
     end_states::{EndState, Rejected},
     share::Share,
     staged::{self, StagedOutcome},

@@ -6,8 +6,8 @@ use crate::impact_space_bodies::SpatialGroup;
 use crate::impact_space_read::read_space;
 use crate::node::{Node, from_json, from_toml};
 use crate::problem::{Problem, Problems};
-use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{ContactSet, MOST_EXAMINED, Preference, RigidBody, StagedOutcome, Touch, staged};
+use carom_impact::{ImpactError, Law};
 
 /// An impact in the plane or in space.
 ///

@@ -6,8 +6,8 @@ use crate::impact_space::SpatialImpactProblem;
 use crate::impact_space_read::{read_motion, read_rigid, vector};
 use crate::impact_touch::{Named, ReadContact, ReadTouch, tell_twins};
 use crate::problem::{Problem, ProblemKind};
-use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{ContactSet, Meeting, RigidBody, Touch, struck};
+use carom_impact::{ImpactError, Law};
 use carom_num::{Mat3, Vec3};
 
 /// Several bodies and where they meet.

@@ -8,8 +8,8 @@ use crate::impact_touch::{ReadContact, ReadTouch, letter, read_contacts};
 use crate::node::Node;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
-use carom_impact::planar::{ImpactError, Law};
 use carom_impact::spatial::{ContactSet, MOST_EXAMINED, RigidBody, Touch};
+use carom_impact::{ImpactError, Law};
 use carom_num::{Mat3, Vec3};
 
 const ROWS: Rows = Rows {

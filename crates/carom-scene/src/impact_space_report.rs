@@ -8,10 +8,11 @@ use crate::impact_space_stage_report::{
 use crate::inequality_report::{InequalityKind, InequalityReport};
 use crate::tolerance::STILL_IN_SPACE;
 use crate::word::Word;
-use carom_impact::planar::{ContactState, Law, Phase};
+use carom_impact::planar::ContactState;
 use carom_impact::spatial::{
     Conclusion, Condition, Freedom, Guess, MOST_EXAMINED, Mode, Refusal, StagedOutcome, staged,
 };
+use carom_impact::{Law, Phase};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
 use carom_words::{impact, impact_space};

@@ -3,7 +3,8 @@
 use crate::impact_event_report::{ForcedReport, ImpactEventReport};
 use crate::inequality_report::InequalityReport;
 use crate::word::Word;
-use carom_impact::planar::{ContactState, Phase};
+use carom_impact::Phase;
+use carom_impact::planar::ContactState;
 use carom_impact::spatial::Mode;
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! What is known of an impact's answer: whether it is the only one, and if not, why not.
 
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write as _;

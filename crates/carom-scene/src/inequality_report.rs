@@ -1,7 +1,8 @@
 //! The inequality that rejects a hypothesis, as JSON.
 
 use crate::word::Word;
-use carom_impact::planar::{Broken, Condition, Phase};
+use carom_impact::Phase;
+use carom_impact::planar::{Broken, Condition};
 use carom_words::impact::Clock;
 use schemars::JsonSchema;
 use serde::Serialize;

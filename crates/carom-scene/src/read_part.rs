@@ -9,7 +9,7 @@ use crate::input::Beside;
 use crate::quantity::Quantity;
 use crate::read_library::read_library;
 use crate::read_outline::read_outline_file;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 
 /// Reads `[part]`; the file of an outline is looked for beside the scene.
 pub(crate) fn read_part(root: &Section<'_>, beside: Beside<'_>) -> Option<PartDrawing> {

@@ -4,7 +4,8 @@ use crate::angles::{angle_to_normal, incidence};
 use crate::run_end_report::AmountUnit;
 use crate::word::Word;
 use carom_feeder::Feeder;
-use carom_impact::planar::{Class, ContactState, Law};
+use carom_impact::Law;
+use carom_impact::planar::{Class, ContactState};
 use carom_motion::planar::Twist;
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact};
 use carom_words::{

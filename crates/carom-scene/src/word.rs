@@ -11,7 +11,7 @@ use std::borrow::Cow;
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::Phase;
+/// use carom_impact::Phase;
 /// use carom_scene::Word;
 /// assert_eq!(serde_json::to_string(&Word(Phase::Compression))?, r#""compression""#);
 /// let schema = schemars::schema_for!(Word<Phase>);

@@ -3,7 +3,7 @@
 use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use crate::word::{EndingWord, Word};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_study::yields::{Estimate, Histogram, Spread};
 use schemars::JsonSchema;
 use serde::Serialize;

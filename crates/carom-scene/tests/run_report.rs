@@ -5,7 +5,8 @@
 use carom_feeder::{
     Decided, Effort, Landing, Outcome, PartKind, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };
-use carom_impact::planar::{ContactState, ImpactType, Law};
+use carom_impact::Law;
+use carom_impact::planar::{ContactState, ImpactType};
 use carom_motion::planar::trace::{ContactVelocity, Impact, ImpactContact, Trace};
 use carom_motion::planar::{Feature, Obstacle, Pose, State, Twist};
 use carom_num::{Vec2, elementary::sin_cos};

@@ -13,7 +13,7 @@
 #![allow(clippy::print_stdout, reason = "the share is what it is run for")]
 
 use carom_feeder::{Feeder, Part, Plate, Start, Stop};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::Options;
 use carom_num::Vec2;
 use carom_num::normal::quantile;

@@ -5,7 +5,8 @@
 //! from the inward normal −n to the corner's velocity, positive where the corner moves along +t. With t downhill these are the φ_K and
 //! the incidence of a feeder's strike.
 
-use carom_impact::planar::{ImpactError, ImpactType, Law, single};
+use carom_impact::planar::{ImpactType, single};
+use carom_impact::{ImpactError, Law};
 use carom_num::{Vec2, elementary::sin_cos};
 
 /// A part with a corner: a rod, or a box with its length along the axis.
@@ -19,7 +20,7 @@ use carom_num::{Vec2, elementary::sin_cos};
 /// let rod = Striker { length, height: 0.0, mass, inertia, friction: 0.15, restitution: 0.0 };
 /// let strike = rod.strike([std::f64::consts::FRAC_PI_2, 0.0], 1.0, 0.0)?;
 /// assert!((strike.spin - 15.0).abs() < 1e-12);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Striker {
@@ -48,7 +49,7 @@ pub struct Striker {
 /// let (left, right) = (rod.strike([0.7, -0.2], 1.5, 0.0)?, rod.strike([-0.7, 0.2], 1.5, 0.0)?);
 /// assert_eq!((left.kind, left.spin), (right.kind, -right.spin));
 /// assert_eq!(rod.strike([0.7, 3.0], 1.5, 0.0)?.kind, None);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CornerStrike {
@@ -76,7 +77,7 @@ impl Striker {
     /// let rod = Striker { length: 0.1, height: 0.0, mass: 0.3, inertia: 2.5e-4, friction: 0.15, restitution: 0.0 };
     /// let strike = rod.strike([0.0, 0.0], 1.5, 0.0)?;
     /// assert_eq!((strike.kind, strike.spin), (Some(SticksFromRest), 0.0));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn strike(
         &self,

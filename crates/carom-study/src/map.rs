@@ -72,7 +72,7 @@ pub struct Map {
 /// A rod that slides towards an edge: friction of tan 15° holds it.
 /// ```
 /// use carom_feeder::{Feeder, Outcome, Part, Plate, Start, Stop};
-/// use carom_impact::planar::Law;
+/// use carom_impact::Law;
 /// use carom_num::Vec2;
 /// use carom_study::regions::{Options, Range};
 /// use carom_study::{Ending, map};

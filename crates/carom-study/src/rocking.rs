@@ -5,7 +5,8 @@
 
 use crate::ends::Ends;
 use crate::tolerance::{JAMMED_AT_REST, STILL_AFTER_STRIKE, TOUCHING_VELOCITY};
-use carom_impact::planar::{ContactSet2, ContactState, ImpactError, Law, Slip, Touch, staged};
+use carom_impact::planar::{ContactSet2, ContactState, Slip, Touch, staged};
+use carom_impact::{ImpactError, Law};
 use carom_num::{Vec2, elementary::sin_cos};
 
 /// A body that rolls on contact A and strikes with K.
@@ -17,7 +18,7 @@ use carom_num::{Vec2, elementary::sin_cos};
 /// use carom_study::rocking::Rolling;
 /// let ring = Rolling::cylinder(1.0, std::f64::consts::FRAC_PI_6, 0.7, 0.0);
 /// assert!((ring.strike()?.roll_rate - 0.75).abs() < 1e-14);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rolling {
@@ -40,7 +41,7 @@ pub struct Rolling {
 /// let square = carom_study::rocking::Rolling::prism(2.0 / 3.0, [1.0, 1.0, 1.0], 0.7, 0.0);
 /// let struck = square.strike()?;
 /// assert_eq!((struck.state, struck.slip[1], struck.rests), ([Separates, Sticks], Slip::Sticks, false));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck {
@@ -70,7 +71,7 @@ impl Rolling {
     /// let struck = ring.strike()?;
     /// assert_eq!(struck.state, [Separates, Sticks]);
     /// assert!((struck.roll_rate - 0.5).abs() < 1e-14);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn cylinder(inertia_ratio: f64, half_angle: f64, friction: f64, restitution: f64) -> Self {
         let (sin, cos) = sin_cos(half_angle);
@@ -88,7 +89,7 @@ impl Rolling {
     /// ```
     /// let square = carom_study::rocking::Rolling::prism(2.0 / 3.0, [1.0, 1.0, 1.0], 0.7, 0.0);
     /// assert!((square.strike()?.roll_rate - 0.25).abs() < 1e-14);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn prism(inertia: f64, [to_centre, to_k, height]: [f64; 3], friction: f64, restitution: f64) -> Self {
         let edge = |x: f64| touch(Vec2::new(x, -height), Vec2::new(0.0, 1.0), friction, restitution);
@@ -103,7 +104,7 @@ impl Rolling {
     /// ```
     /// let rod = carom_study::rocking::Rolling::rod(2.0, [0.5, 0.5], 0.0);
     /// assert!((rod.strike()?.roll_rate - 1.0 / 7.0).abs() < 1e-14);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn rod(length: f64, [to_a, to_b]: [f64; 2], restitution: f64) -> Self {
         Self::prism(length * length / 12.0, [to_a, to_b, 0.0], 0.0, restitution)
@@ -126,7 +127,7 @@ impl Rolling {
     /// let ring = carom_study::rocking::Rolling::cylinder(1.0, std::f64::consts::FRAC_PI_4, 0.7, 0.0);
     /// let ends = ring.ends()?;
     /// assert_eq!((ends.count, ends.reached, ends.branches), (1, true, 1));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn ends(&self) -> Result<Ends, ImpactError> {
         Ends::of(&self.contacts()?, Law::Poisson)
@@ -144,7 +145,7 @@ impl Rolling {
     /// use carom_study::rocking::Rolling;
     /// let struck = Rolling::rod(1.0, [0.5, 0.5], 0.0).strike()?;
     /// assert_eq!((struck.roll_rate, struck.rests), (0.0, true));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn strike(&self) -> Result<Struck, ImpactError> {
         let (touches, set) = (&self.touches, self.contacts()?);
@@ -184,7 +185,7 @@ impl Struck {
     /// ```
     /// let ring = carom_study::rocking::Rolling::cylinder(1.0, std::f64::consts::FRAC_PI_6, 0.7, 0.0);
     /// assert_eq!(ring.strike()?.cylinder_state(), Some(1));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn cylinder_state(&self) -> Option<u8> {
         use ContactState::{Separates, Slips, Sticks};
@@ -211,7 +212,7 @@ impl Struck {
     /// let state = |half: f64| Rolling::prism(inertia(half), [half, half, 1.0], 2.5, 0.0).strike();
     /// assert_eq!(state(1.0)?.prism_state(), Some(3));
     /// assert_eq!(state(2.0)?.prism_state(), Some(1));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn prism_state(&self) -> Option<u8> {
         use ContactState::{Separates, Slips, Sticks};
@@ -237,7 +238,7 @@ impl Struck {
     /// use carom_study::rocking::Rolling;
     /// let state = |arm: f64| Rolling::rod(12f64.sqrt(), [arm, arm], 0.0).strike();
     /// assert_eq!((state(0.9)?.rod_state(), state(1.1)?.rod_state()), (Some(2), Some(1)));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn rod_state(&self) -> Option<u8> {
         use ContactState::{Separates, Sticks};

@@ -3,7 +3,7 @@
 //! Every state of the non-sliding law is tried ([`ContactSet::states_of_keeping_strictly`]); what is consistent, and nothing else, is the answer. Impulses follow
 //! from velocities in proportion: neither the mass nor the speed changes it.
 
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use carom_impact::spatial::{ContactSet, RigidBody, StatesOfKeeping, Touch};
 use carom_num::elementary::sin_cos;
 use carom_num::{Mat3, Rotation, Vec3};
@@ -32,7 +32,7 @@ pub type Ways = u64;
 ///     pyramid.states().map(|states| states.consistent[0].kept)
 /// };
 /// assert_eq!((kept(4.0)?, kept(3.0)?), ([true, false, true], [true; 3]));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeRoll {
@@ -55,7 +55,7 @@ pub struct EdgeRoll {
 /// let (centre, gyration) = (0.5, 0.6);
 /// let stool = StoolStrike { supports: 12, centre, gyration, axial: 1.0, swinging: 0.0, tilt: 0.0 };
 /// assert_eq!(stool.ways()?, StoolStrike::NEXT);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoolStrike {
@@ -112,7 +112,7 @@ impl EdgeRoll {
     /// let pyramid = EdgeRoll { sides: 3.0, height: 1.0, centre: 0.75, inertia: 1.0 };
     /// assert_eq!(pyramid.ways()?, EdgeRoll::STOPS);
     /// assert_eq!(EdgeRoll::STOPS.trailing_zeros(), 1 + 2 + 4);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub const STOPS: Ways = 1 << 0b111;
     /// A and K.
@@ -136,7 +136,7 @@ impl EdgeRoll {
     /// let on = |sides: f64| EdgeRoll { sides, height: 1.0, centre: 0.75, inertia: 1.0 };
     /// assert_eq!(on(4.0).ways()?, EdgeRoll::LONG);
     /// assert_eq!(on(3.0).ways()?, EdgeRoll::STOPS);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn states(&self) -> Result<StatesOfKeeping<3>, ImpactError> {
         let (h, (sin, cos)) = (self.height, sin_cos(PI / self.sides));
@@ -170,7 +170,7 @@ impl EdgeRoll {
     /// let states = pyramid.states()?;
     /// assert_eq!(pyramid.ways()?.count_ones() as usize, states.consistent.len());
     /// assert_eq!(states.consistent[0].kept, [true, false, true]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn ways(&self) -> Result<Ways, ImpactError> {
         Ok(ways(&self.states()?))
@@ -211,7 +211,7 @@ impl StoolStrike {
     ///     supports: 4, centre: 0.5f64.sqrt(), gyration: third, axial: 1.0, swinging: 0.0, tilt: 0.0,
     /// };
     /// assert_eq!(cube.ways()?, StoolStrike::NEXT);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn states(&self) -> Result<StatesOfKeeping<2>, ImpactError> {
         // x from O to K, z the plane's normal.
@@ -240,7 +240,7 @@ impl StoolStrike {
     /// let cube = StoolStrike { supports: 4, centre, gyration, axial: 1.0, swinging: 0.0, tilt: 0.0 };
     /// assert_eq!(cube.ways()?, StoolStrike::NEXT);
     /// assert_eq!(cube.states()?.consistent[0].kept, [false, true]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn ways(&self) -> Result<Ways, ImpactError> {
         Ok(ways(&self.states()?))

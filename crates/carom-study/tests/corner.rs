@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
 
-use carom_impact::planar::{ContactSet2, ImpactType, Law, Touch, staged};
+use carom_impact::Law;
+use carom_impact::planar::{ContactSet2, ImpactType, Touch, staged};
 use carom_num::Vec2;
 use carom_study::corner::Striker;
 

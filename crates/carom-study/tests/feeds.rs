@@ -7,7 +7,7 @@
 mod random;
 
 use carom_feeder::{Feed, Feeder, Outcome, Part, PartKind, Plate, Prepared, StageName, Start, Stop};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{Body, Options, Shape, Surface};
 use carom_num::Vec2;
 use carom_study::feeds::{Feeds, FeedsError, Kind, Plan, followed, longest_meeting, search};

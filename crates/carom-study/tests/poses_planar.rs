@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how often parts rest on which side is a measurement")]
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{
     Body, ChainPoint, MassProperties, Obstacle, Options, Pose as Place, Shape, State, World,
 };

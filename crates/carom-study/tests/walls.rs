@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use carom_feeder::{Feeder, Part, PartKind, Plate, Start, Stop, Wall};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
 use carom_study::design::{Aim, Demand, Goal, Limits};

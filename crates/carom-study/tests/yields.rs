@@ -4,7 +4,7 @@
 #![allow(clippy::print_stdout, reason = "how often intervals hold is a measurement")]
 
 use carom_feeder::{Feeder, Outcome, Part, Plate, Run, Start, Stop, Verdict};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::Vec2;
 use carom_num::elementary::ln;
 use carom_num::sobol::MOST_DIMENSIONS;

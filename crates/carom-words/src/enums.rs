@@ -122,12 +122,12 @@ words! {
         Blocked = "blocked",
         Unresolved = "unresolved",
     }
-    planar::Law {
+    carom_impact::Law {
         Poisson = "poisson",
         Stronge = "stronge",
         Newton = "newton",
     }
-    planar::Phase {
+    carom_impact::Phase {
         Compression = "compression",
         Restitution = "restitution",
     }

@@ -1,7 +1,8 @@
 //! What contacts do in an impact in the plane, why its stages end, and why hypotheses fail.
 
 use crate::{Words, named};
-use carom_impact::planar::{Broken, Condition, Guess, ImpactError, Phase, Slip, StageEnd};
+use carom_impact::planar::{Broken, Condition, Guess, Slip, StageEnd};
+use carom_impact::{ImpactError, Phase};
 
 /// What a contact does, for a person: `slips along +t`.
 pub fn slip(slip: Slip) -> &'static str {
@@ -101,7 +102,7 @@ pub fn because<T: AsRef<str>>(names: &[T], broken: &Broken, clock: Clock) -> Str
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::ImpactError;
+/// use carom_impact::ImpactError;
 /// let error = ImpactError::OutsideDomain { contact: Some(1), quantity: "restitution", value: 0.0, allowed: "> 0" };
 /// assert_eq!(carom_words::impact::failure(&["A", "K"], &error), "restitution of K is 0, allowed is > 0");
 /// ```

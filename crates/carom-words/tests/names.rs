@@ -25,8 +25,8 @@ fn differ<T: Words>() {
 
 #[test]
 fn no_two_values_of_an_enum_have_one_word() {
-    differ::<planar::Law>();
-    differ::<planar::Phase>();
+    differ::<carom_impact::Law>();
+    differ::<carom_impact::Phase>();
     differ::<planar::Slip>();
     differ::<planar::ContactState>();
     differ::<planar::ImpactType>();

@@ -8,8 +8,10 @@
 //! long walks, scaled restitution, walks that end in no end state, and impacts with several end states or none. Decision note 4 of the repository quotes the counts.
 #![expect(clippy::print_stdout, reason = "a program that answers a question")]
 
-use carom::impact::planar::rate::{Load, RateProblem};
-use carom::impact::planar::{ContactSet2, ImpactError, Law, Touch, end_states, staged};
+use carom::impact::Load;
+use carom::impact::planar::rate::RateProblem;
+use carom::impact::planar::{ContactSet2, Touch, end_states, staged};
+use carom::impact::{ImpactError, Law};
 use carom::num::Vec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

@@ -7,7 +7,8 @@
 //! The strike is that of the tutorial `_02_one_impact`: every number of the table can be checked by hand.
 #![expect(clippy::print_stdout, reason = "a program that answers a question")]
 
-use carom::impact::planar::{Law, single};
+use carom::impact::Law;
+use carom::impact::planar::single;
 use carom_words::Words;
 
 fn main() -> Result<(), carom::Error> {

@@ -1,7 +1,7 @@
 //! One error for all the crates behind the face.
 
 use carom_feeder::RunError;
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use carom_motion::planar::{MotionError, ShapeProblem};
 use carom_scene::Problems;
 use carom_study::regions::RegionsError;

@@ -3,7 +3,7 @@
 use crate::case::{Body, Case, Expected, Known, Spin};
 use crate::motion::Bodies;
 use crate::tolerance::SAME;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_scene::{
     AnyImpact, EndReport, ImpactAnswerReport, ImpactOutcome, ImpactProblem, SpatialImpactEndReport,
     SpatialImpactProblem, SpatialImpactReport,

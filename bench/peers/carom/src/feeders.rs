@@ -1,7 +1,7 @@
 //! The paper's feeder: a rod or box of 0.1 m, and a second plate placed by its line in the axes of the first.
 
 use carom_feeder::{Feeder, Part, Plate, Start, Stop, Verdict};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::Options;
 use carom_num::Vec2;
 

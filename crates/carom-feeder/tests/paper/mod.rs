@@ -1,7 +1,7 @@
 //! The paper's feeder: two plates, the second placed by its line in the axes of the first.
 
 use carom_feeder::{Feeder, Part, Plate, Start, Stop};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::Vec2;
 
 /// The axes of a plate of this slope that descends to the right: x along it, y down through it.

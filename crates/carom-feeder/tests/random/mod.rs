@@ -1,7 +1,7 @@
 //! Random feeders: convex parts of any kind, two to six plates, walls, any friction and restitution.
 
 use carom_feeder::{Feeder, Part, PartKind, Plate, Start, Stop, Wall};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::{Body, Shape};
 use carom_num::Vec2;
 use rand::{Rng, RngExt, SeedableRng};

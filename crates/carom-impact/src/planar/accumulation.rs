@@ -10,8 +10,9 @@
 use super::clock::Clock;
 use super::staged::{Stage, Station};
 use super::walk::Walk;
-use super::{ImpactError, Phase, Slip, StageEnd};
+use super::{Slip, StageEnd};
 use crate::tolerance::{AT_LIMIT, SAME_ROUND, STAGE_ZERO};
+use crate::{ImpactError, Phase};
 
 /// Stages walked before series are looked for: nearly all impacts end sooner.
 const PATIENCE: usize = 12;
@@ -206,8 +207,8 @@ impl<const N: usize, const M: usize> Walk<'_, N, M> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Law;
     use super::*;
+    use crate::Law;
 
     fn series(spent: f64, ratio: f64) -> Series<1> {
         let round = Station { velocity: [[0.0; 2]], impulse: [[0.0; 2]] };

@@ -8,7 +8,7 @@ use crate::tolerance::{EQUAL_MARGINS, SAME_MOTION};
 /// # Example
 /// A block of 1 kg at rest on an incline of 3 in 4, too smooth to hold it, slides.
 /// ```
-/// use carom_impact::planar::{Block, Guess, Slip, rate::{Load, RateProblem}};
+/// use carom_impact::{Load, planar::{Block, Guess, Slip, rate::RateProblem}};
 /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
 /// let incline = RateProblem::<1, 2> {
 ///     count: 1, operator: &operator, friction: &[0.5],
@@ -93,7 +93,7 @@ pub struct Solution<const N: usize> {
 /// A rod whose end slips into its lean, `W_nn − μW_tn = 5/2 − 2 · 3/2 < 0`: pressed down it has no motion,
 /// pulled off it has two.
 /// ```
-/// use carom_impact::planar::{Block, rate::{Load, RateProblem}};
+/// use carom_impact::{Load, planar::{Block, rate::RateProblem}};
 /// let operator = [[Block { tt: 2.5, tn: 1.5, nt: 1.5, nn: 2.5 }]];
 /// let solutions = |drive: f64| RateProblem::<1, 2> {
 ///     count: 1, operator: &operator, friction: &[2.0],

@@ -1,7 +1,8 @@
 //! Several bodies that meet: their contacts as one set, and their velocities after it.
 
 use super::faults::{Faults, Quantity};
-use super::{Block, ContactSet, ImpactError};
+use super::{Block, ContactSet};
+use crate::ImpactError;
 use crate::tolerance::COINCIDE;
 use carom_num::Vec2;
 
@@ -18,7 +19,7 @@ use carom_num::Vec2;
 /// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
 /// assert_eq!(ContactSet2::of_bodies(&[left, right], &[meeting])?.operator[0][0].nn, 1.0);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody {
@@ -87,7 +88,7 @@ impl RigidBody {
 /// let (point, normal) = (Vec2::new(1.0, 0.0), Vec2::new(-1.0, 0.0));
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
 /// assert_eq!(ContactSet2::of_bodies(&[wall, ball], &[meeting])?.normal[0], -3.0);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
@@ -145,7 +146,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// # Example
     /// A ball of 1 kg meets one of 2 kg that rests: `W_nn = 1 + 1/2`.
     /// ```
-    /// use carom_impact::planar::{Law, Meeting, ContactSet2, RigidBody, staged, struck};
+    /// use carom_impact::{Law, planar::{ContactSet2, Meeting, RigidBody, staged, struck}};
     /// use carom_num::Vec2;
     /// let ball = |mass, x, v| RigidBody {
     ///     mass, inertia: 1.0, centre: Vec2::new(x, 0.0), velocity: Vec2::new(v, 0.0), spin: 0.0,
@@ -159,7 +160,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// let out = staged::resolve(&set, Law::Poisson)?;
     /// let after = struck(&bodies, &[meeting], &out.impulse)?;
     /// assert!((after[0].velocity.x + 1.0).abs() < 1e-15 && (after[1].velocity.x - 2.0).abs() < 1e-15);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn of_bodies(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<Self, ImpactError> {
         if meetings.len() > N {
@@ -215,7 +216,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
 /// let meeting = Meeting { into: 1, out_of: 0, point, normal, friction: 0.0, restitution: 1.0 };
 /// let after = struck(&[one, two], &[meeting], &[[0.0, 4.0]])?;
 /// assert_eq!((after[0].velocity.x, after[1].velocity.x), (-1.0, 2.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn struck(
     bodies: &[RigidBody],
@@ -285,8 +286,9 @@ pub(super) fn check(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<(), Im
 
 #[cfg(test)]
 mod tests {
-    use super::super::{ContactSet2, ContactSet6, Law, Touch, staged};
+    use super::super::{ContactSet2, ContactSet6, Touch, staged};
     use super::*;
+    use crate::Law;
 
     fn body(mass: f64, x: f64, velocity: (f64, f64), spin: f64) -> RigidBody {
         RigidBody {

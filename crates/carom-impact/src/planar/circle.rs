@@ -8,9 +8,9 @@
 //! is to be returned is used up; in compression it never does. (Bodies that were free before cannot do the latter: a round of compression
 //! takes energy, and the same velocities have the same. Obstacles that close in on a body can.)
 
-use super::ImpactError;
 use super::accumulation::{History, LONGEST_ROUND, Mark, difference};
 use super::walk::Walk;
+use crate::ImpactError;
 use crate::tolerance::{ADDED_ROUNDING, PASSED_OVER, SAME_IMPULSE, SAME_PLACE};
 
 /// Rounds that are left to be walked before the event.

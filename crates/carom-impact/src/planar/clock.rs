@@ -1,6 +1,6 @@
 //! How much restitution is left, by each law.
 
-use super::Law;
+use crate::Law;
 
 /// Measures restitution along the walk of several contacts.
 #[derive(Clone, Copy, Default)]

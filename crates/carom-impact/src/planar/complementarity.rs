@@ -10,7 +10,8 @@
 use super::Slip;
 use super::answer::{Answer, Guess, Solution};
 use super::equations::Equations;
-use super::rate::{Load, RateProblem};
+use super::rate::RateProblem;
+use crate::Load;
 use crate::tolerance::{PIVOTED_ZERO, SPECK};
 use carom_num::lemke::lemke;
 

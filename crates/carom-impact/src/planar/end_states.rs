@@ -11,9 +11,11 @@
 //!
 //! Source: Glocker and Pfeiffer, Nonlinear Dynamics 7 (1995) 471, for the two phases.
 
-use super::rate::{Load, RateProblem};
-use super::{Broken, ContactSet, Guess, Law, Phase, Slip, Solution};
+use super::rate::RateProblem;
+use super::{Broken, ContactSet, Guess, Slip, Solution};
+use crate::Load;
 use crate::tolerance::SAME_MOTION;
+use crate::{Law, Phase};
 
 /// A consistent end state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +72,7 @@ impl<const N: usize> EndStates<N> {
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{end_states, Block, ContactSet, Law};
+/// use carom_impact::{Law, planar::{Block, ContactSet, end_states}};
 /// // A ball of 1 kg dropped straight on a floor leaves at e times its approach speed, whichever law counts.
 /// let ball = ContactSet::<1, 2> {
 ///     count: 1,

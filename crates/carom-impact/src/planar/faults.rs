@@ -1,7 +1,7 @@
 //! Everything that is wrong with the numbers of an impact, at once.
 
-use super::ImpactError;
-use super::error::Of;
+use crate::ImpactError;
+use crate::error::Of;
 use std::fmt;
 
 /// Faults that are named; of more, how many there are is told.
@@ -96,7 +96,7 @@ impl fmt::Display for Fault {
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{ImpactError, ContactSet2};
+/// use carom_impact::{ImpactError, planar::ContactSet2};
 /// use carom_num::Vec2;
 /// let refused = ContactSet2::of_free_body(-1.0, 1.0, Vec2::new(f64::NAN, 0.0), 0.0, &[]).unwrap_err();
 /// let ImpactError::Faults(faults) = refused else { panic!("two faults") };

@@ -13,9 +13,11 @@
 
 use super::answer::{Answer, Broken, Guess};
 use super::bodies::check;
-use super::error::{outside, require};
-use super::rate::{Load, MOST_EXAMINED, RateProblem};
-use super::{ContactSet, ImpactError, Meeting, RigidBody};
+use super::rate::{MOST_EXAMINED, RateProblem};
+use super::{ContactSet, Meeting, RigidBody};
+use crate::ImpactError;
+use crate::Load;
+use crate::error::{outside, require};
 use crate::tolerance::TOUCHING_VELOCITY;
 use carom_num::Vec2;
 
@@ -68,7 +70,7 @@ pub struct Acceleration {
 /// let answer = loaded.solve(&mut |_, _| {});
 /// let solution = answer.solutions[0].unwrap();
 /// assert_eq!((answer.count, solution.guess[0].slip, solution.rates[0]), (1, Slip::Sticks, [-8.0, 20.0]));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Loaded<const N: usize, const M: usize> {

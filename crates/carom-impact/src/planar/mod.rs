@@ -21,7 +21,6 @@ mod clock;
 mod complementarity;
 pub mod end_states;
 mod equations;
-mod error;
 mod family;
 mod faults;
 pub mod forces;
@@ -42,7 +41,6 @@ mod walk;
 
 pub use answer::{Answer, Broken, Condition, Guess, Solution};
 pub use bodies::{Meeting, RigidBody, struck};
-pub use error::ImpactError;
 pub use faults::Faults;
-pub use names::{Class, ContactState, ImpactType, Law, Phase, Slip, StageEnd};
+pub use names::{Class, ContactState, ImpactType, Slip, StageEnd};
 pub use set::{Block, ContactSet, ContactSet2, ContactSet6, MOST_CONTACTS, Touch};

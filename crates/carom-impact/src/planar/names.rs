@@ -1,38 +1,4 @@
-//! The words of impact: laws, phases, states, types and classes.
-
-/// How restitution is measured.
-///
-/// # Example
-/// A ball that falls straight leaves with e times its speed by each of the three.
-/// ```
-/// use carom_impact::planar::{Law, single};
-/// let ball = single::Contact {
-///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
-/// };
-/// for law in [Law::Poisson, Law::Stronge, Law::Newton] {
-///     assert_eq!(single::resolve(&ball, law)?.normal, 1.0);
-/// }
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Law {
-    /// Normal impulse of restitution = e × normal impulse of compression (Poisson).
-    #[default]
-    Poisson,
-    /// Work of the normal impulse in restitution = −e² × its work in compression (Stronge 1990).
-    Stronge,
-    /// Normal velocity after = −e × normal velocity before (Newton). Can create energy where the slip stops or reverses.
-    Newton,
-}
-
-/// The two phases of an impact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Phase {
-    /// Until no contact approaches any more.
-    Compression,
-    /// From there to the end.
-    Restitution,
-}
+//! The words of impact in the plane: slips, states, types and classes.
 
 /// What a contact does during one straight stage.
 ///
@@ -40,14 +6,14 @@ pub enum Phase {
 /// A ball whose slip of 1.05 m/s friction stops after 1.05/(0.3 · 3.5) = 1 N s, halfway through compression,
 /// sticks from there on.
 /// ```
-/// use carom_impact::planar::{Law, Slip, single};
+/// use carom_impact::{Law, planar::{Slip, single}};
 /// let ball = single::Contact {
 ///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 1.05, normal: -2.0, friction: 0.3, restitution: 0.0,
 /// };
 /// let mut slips = vec![];
 /// single::resolve_observed(&ball, Law::Poisson, &mut |stage| slips.push(stage.slip))?;
 /// assert_eq!(slips, [Slip::Forward, Slip::Sticks]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
@@ -85,14 +51,14 @@ impl Slip {
 /// # Example
 /// The ball of [`Slip`], with restitution.
 /// ```
-/// use carom_impact::planar::{Law, StageEnd, single};
+/// use carom_impact::{Law, planar::{StageEnd, single}};
 /// let ball = single::Contact {
 ///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 1.05, normal: -2.0, friction: 0.3, restitution: 0.5,
 /// };
 /// let mut ends = vec![];
 /// single::resolve_observed(&ball, Law::Poisson, &mut |stage| ends.push(stage.ended_by))?;
 /// assert_eq!(ends, [StageEnd::SlipStops(0), StageEnd::CompressionEnds, StageEnd::RestitutionEnds]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageEnd {
@@ -136,14 +102,14 @@ impl ContactState {
 /// Friction stops the slip of this ball after s/(0.3 · 3.5) N s; compression takes 2 N s, restitution 1 N s
 /// more.
 /// ```
-/// use carom_impact::planar::{ImpactType, Law, single};
+/// use carom_impact::{Law, planar::{ImpactType, single}};
 /// let kind = |slip| single::resolve(&single::Contact {
 ///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip, normal: -2.0, friction: 0.3, restitution: 0.5,
 /// }, Law::Poisson).map(|out| out.kind);
 /// assert_eq!(kind(2.0)?, Some(ImpactType::StopsInCompression));
 /// assert_eq!(kind(3.0)?, Some(ImpactType::StopsInRestitution));
 /// assert_eq!(kind(4.0)?, Some(ImpactType::SlidesThroughout));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ImpactType {

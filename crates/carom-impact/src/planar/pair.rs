@@ -181,9 +181,9 @@ fn moved(from: [f64; 2], by: &Matrix, rates: [f64; 2]) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::rate::Load;
     use super::super::{ContactSet2, Touch};
     use super::*;
+    use crate::Load;
     use carom_num::Vec2;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64;

@@ -1,12 +1,14 @@
 //! Painlevé's paradox: no hypothesis is consistent, and one contact, or several together, become the clock.
 
+use super::StageEnd;
 use super::answer::Solution;
-use super::rate::{Load, MOST_EXAMINED};
+use super::rate::MOST_EXAMINED;
 use super::stage::{Step, change};
 use super::staged::Stage;
 use super::walk::Walk;
-use super::{ImpactError, Phase, StageEnd};
+use crate::Load;
 use crate::tolerance::REST_IN_PARADOX;
+use crate::{ImpactError, Phase};
 
 /// A stage in which some contacts are the clock.
 pub(super) struct Loaded<const N: usize> {

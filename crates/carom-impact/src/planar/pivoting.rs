@@ -7,8 +7,9 @@
 //! Glocker and Pfeiffer, Nonlinear Dynamics 7 (1995) 471, for the two phases.
 
 use super::end_states::EndState;
-use super::{ContactSet, Guess, ImpactError, Law, Slip};
+use super::{ContactSet, Guess, Slip};
 use crate::tolerance::{PIVOTING_RANK, PIVOTING_REST, SPECK};
+use crate::{ImpactError, Law};
 use carom_num::lemke::lemke;
 use carom_num::solve::solve_any;
 
@@ -16,7 +17,7 @@ use carom_num::solve::solve_any;
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{ImpactError, Touch, pivoting::ContactSet24};
+/// use carom_impact::{ImpactError, planar::{Touch, pivoting::ContactSet24}};
 /// use carom_num::Vec2;
 /// let leg = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
 /// let table = |legs| ContactSet24::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &vec![leg; legs]).map(|set| set.count);
@@ -36,14 +37,14 @@ pub type ContactSet24 = ContactSet<24, 48>;
 /// A table on four legs lands flat: the normal impulses are not determined, their sum is.
 /// ```
 /// use carom_impact::planar::pivoting::{ContactSet24, one_end_state};
-/// use carom_impact::planar::{Law, Touch};
+/// use carom_impact::{Law, planar::Touch};
 /// use carom_num::Vec2;
 /// let leg = |x| Touch { arm: Vec2::new(x, -0.5), normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
 /// let table = ContactSet24::of_free_body(2.0, 1.0, Vec2::new(0.0, -1.0), 0.0, &[leg(-0.6), leg(-0.2), leg(0.2), leg(0.6)])?;
 /// let end = one_end_state(&table, Law::Poisson)?;
 /// let sum: f64 = end.impulse.iter().map(|p| p[1]).sum();
 /// assert!((sum - 2.0).abs() < 1e-12);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn one_end_state<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,

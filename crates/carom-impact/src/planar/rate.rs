@@ -11,31 +11,7 @@
 use super::answer::{Answer, Broken, Guess, Solution};
 use super::equations::Equations;
 use super::{Block, Slip};
-
-/// How a contact takes part in a rate problem.
-///
-/// # Example
-/// A block of 1 kg is pressed down by 8 N. A base load of 3 N is part of the 8 N that the floor answers with;
-/// where 3 N are prescribed it gives no more, and the block sinks in with 5 m/s².
-/// ```
-/// use carom_impact::planar::{Block, rate::{Load, RateProblem}};
-/// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
-/// let ask = |load| RateProblem::<1, 2> {
-///     count: 1, operator: &operator, friction: &[0.0], drive: [[0.0, -8.0]], slip: [0.0], load: [load],
-/// }.solve().solutions[0].map(|s| (s.rates[0][1], s.response[0][1]));
-/// assert_eq!(ask(Load::Touching(3.0)), Some((8.0, 0.0)));
-/// assert_eq!(ask(Load::Prescribed(3.0)), Some((3.0, -5.0)));
-/// assert_eq!(ask(Load::Absent), Some((0.0, -8.0)));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Load {
-    /// It does not touch.
-    Absent,
-    /// It touches. Its normal rate is at least the base load β, and more only while the contact does not open.
-    Touching(f64),
-    /// Its normal rate is β whatever its normal velocity does.
-    Prescribed(f64),
-}
+use crate::Load;
 
 /// A rate problem of up to N contacts; M = 2 N.
 ///
@@ -51,7 +27,7 @@ pub enum Load {
 /// # Example
 /// A block of 1 kg at rest on an incline of 3 in 4 (g = 10 m/s², gravity (6, −8) in (t, n)) holds from μ = 3/4 on, and slides else.
 /// ```
-/// use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
+/// use carom_impact::{Load, planar::{Block, Slip, rate::RateProblem}};
 /// let block = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
 /// let ask = |friction: f64| {
 ///     let problem = RateProblem::<1, 2> {
@@ -93,7 +69,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// # Example
     /// A block of 1 kg on a floor, pulled up by more than its weight: it leaves with what is left, 2 m/s².
     /// ```
-    /// use carom_impact::planar::{Block, Slip, rate::{Load, RateProblem}};
+    /// use carom_impact::{Load, planar::{Block, Slip, rate::RateProblem}};
     /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
     /// let answer = RateProblem::<1, 2> {
     ///     count: 1, operator: &operator, friction: &[0.5],
@@ -126,7 +102,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// # Example
     /// The block on the incline of 3 in 4 slides forward: three other hypotheses are rejected.
     /// ```
-    /// use carom_impact::planar::{Block, Condition, Slip, rate::{Load, RateProblem}};
+    /// use carom_impact::{Load, planar::{Block, Condition, Slip, rate::RateProblem}};
     /// let operator = [[Block { tt: 1.0, tn: 0.0, nt: 0.0, nn: 1.0 }]];
     /// let incline = RateProblem::<1, 2> {
     ///     count: 1, operator: &operator, friction: &[0.5],

@@ -1,14 +1,15 @@
 //! Several contacts of one body: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
 use super::faults::{Faults, Quantity};
-use super::{ImpactError, single};
+use super::single;
+use crate::ImpactError;
 use carom_num::Vec2;
 
 /// Largest number of contacts of one impact.
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{ImpactError, MOST_CONTACTS, ContactSet6, Touch};
+/// use carom_impact::{ImpactError, planar::{ContactSet6, MOST_CONTACTS, Touch}};
 /// use carom_num::Vec2;
 /// let leg = Touch { arm: Vec2::ZERO, normal: Vec2::new(0.0, 1.0), friction: 0.3, restitution: 0.0 };
 /// let refused = ContactSet6::of_free_body(1.0, 1.0, Vec2::ZERO, 0.0, &[leg; MOST_CONTACTS + 1]).unwrap_err();
@@ -28,7 +29,7 @@ pub const MOST_CONTACTS: usize = 6;
 /// let set = ContactSet2::of_free_body(1.0, 0.5, Vec2::ZERO, 0.0, &[foot(-1.0), foot(1.0)])?;
 /// let [left, right] = set.operator[0];
 /// assert_eq!((left.nn, right.nn), (1.0 + 2.0, 1.0 - 2.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Block {
@@ -89,7 +90,7 @@ impl Touch {
 /// Two particles of 1 and 1/2 kg that fall side by side do not know of each other: each takes its own
 /// momentum.
 /// ```
-/// use carom_impact::planar::{Block, ContactSet, Law, staged};
+/// use carom_impact::{Law, planar::{Block, ContactSet, staged}};
 /// let particle = |w| Block { tt: w, tn: 0.0, nt: 0.0, nn: w };
 /// let none = Block::default();
 /// let set = ContactSet::<2, 4> {
@@ -98,7 +99,7 @@ impl Touch {
 /// };
 /// let out = staged::resolve(&set, Law::Poisson)?;
 /// assert!((out.impulse[0][1] - 3.0).abs() < 1e-15 && (out.impulse[1][1] - 1.5).abs() < 1e-15);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSet<const N: usize, const M: usize> {
@@ -138,7 +139,7 @@ impl<const N: usize, const M: usize> ContactSet<N, M> {
     /// let corner = Touch { arm: Vec2::new(1.0, -1.0), normal, friction: 0.3, restitution: 0.5 };
     /// let set = ContactSet2::of_free_body(1.0, 2.0 / 3.0, Vec2::new(0.0, -1.0), 0.5, &[corner])?;
     /// assert_eq!((set.operator[0][0].nn, set.slip[0], set.normal[0]), (2.5, 0.5, -0.5));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn of_free_body(
         mass: f64,

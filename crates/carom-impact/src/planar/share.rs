@@ -11,7 +11,8 @@
 mod tests;
 
 use super::staged::{self, StagedOutcome};
-use super::{ContactSet, ImpactError, Law, sharing};
+use super::{ContactSet, sharing};
+use crate::{ImpactError, Law};
 
 /// Which member of an open family of impulses is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,7 +38,7 @@ pub enum Share {
 /// # Example
 /// A ball between a floor and a wall, struck once into the corner: two contacts share nothing that is open.
 /// ```
-/// use carom_impact::planar::{Law, ContactSet2, Touch, share};
+/// use carom_impact::{Law, planar::{ContactSet2, Touch, share}};
 /// use carom_num::Vec2;
 /// let touch = |x: f64, y: f64| Touch {
 ///     arm: Vec2::new(x, y), normal: Vec2::new(-x, -y), friction: 0.2, restitution: 0.5,
@@ -45,7 +46,7 @@ pub enum Share {
 /// let corner = [touch(0.0, -1.0), touch(1.0, 0.0)];
 /// let ball = ContactSet2::of_free_body(1.0, 0.4, Vec2::new(1.0, -1.0), 0.0, &corner)?;
 /// assert!(share::outcomes(&ball, Law::Poisson)?.is_empty());
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn outcomes<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,

@@ -13,13 +13,14 @@
 #[cfg(test)]
 mod tests;
 
-use super::rate::Load;
 use super::stage::{Step, change};
 use super::staged::{self, StagedOutcome};
 use super::stiffness::by_stiffness;
 use super::walk::Walk;
-use super::{ContactSet, ContactState, ImpactError, Law, Phase, StageEnd, single};
+use super::{ContactSet, ContactState, StageEnd, single};
+use crate::Load;
 use crate::tolerance::{ADDED_ROUNDING, LEAST_SHARE, OTHER_OUTCOME, SEQUENCE_OVER, WEDGED_STILL};
+use crate::{ImpactError, Law, Phase};
 
 /// A convention on sharing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -47,7 +48,7 @@ pub enum Sharing<const N: usize> {
 /// By whatever convention, three elastic balls keep the energy: with the impulses p and q their velocities
 /// are 1 − p, p − q and q.
 /// ```
-/// use carom_impact::planar::{Block, ContactSet, Law, sharing::{self, Sharing}};
+/// use carom_impact::{Law, planar::{Block, ContactSet, sharing::{Sharing, self}}};
 /// let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
 /// let cradle = ContactSet::<2, 4> {
 ///     count: 2, operator: [[cell(2.0), cell(-1.0)], [cell(-1.0), cell(2.0)]],
@@ -59,7 +60,7 @@ pub enum Sharing<const N: usize> {
 ///     // Springs are followed to about 1e-9.
 ///     assert!(((1.0 - p).powi(2) + (p - q).powi(2) + q * q - 1.0).abs() < 1e-8);
 /// }
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn resolve<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
@@ -86,7 +87,7 @@ const MOST_IMPACTS: usize = 1 << 20;
 /// # Example
 /// Newton's cradle of three: the first ball stops, the last leaves with its velocity.
 /// ```
-/// use carom_impact::planar::{Block, ContactSet, Law, sharing};
+/// use carom_impact::{Law, planar::{Block, ContactSet, sharing}};
 /// let cell = |nn| Block { tt: 1.0, tn: 0.0, nt: 0.0, nn };
 /// let cradle = ContactSet::<2, 4> {
 ///     count: 2,
@@ -98,7 +99,7 @@ const MOST_IMPACTS: usize = 1 << 20;
 /// };
 /// let out = sharing::in_sequence(&cradle, Law::Poisson)?;
 /// assert_eq!([out.impulse[0][1], out.impulse[1][1]], [1.0, 1.0]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn in_sequence<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
@@ -200,7 +201,7 @@ pub(super) fn settle_states<const N: usize>(out: &mut StagedOutcome<N>, count: u
 /// let all = sharing::every(&feet, 10)?;
 /// let reached = |up: f64| all.iter().any(|out| (out.velocity[0][1] - up).abs() < 1e-14);
 /// assert!(reached(0.0) && reached(0.25) && !reached(0.3));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn every<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,

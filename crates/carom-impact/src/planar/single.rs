@@ -9,7 +9,8 @@
 mod walk;
 
 use super::faults::{Faults, Quantity};
-use super::{ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd};
+use super::{ContactState, ImpactType, Slip, StageEnd};
+use crate::{ImpactError, Law, Phase};
 use walk::{Compression, Walk};
 
 /// One contact just before an impact.
@@ -90,13 +91,13 @@ impl Contact {
 /// # Example
 /// The work is the change of energy, here that of a ball of 1 kg that falls with 2 m/s and rises with 1 m/s.
 /// ```
-/// use carom_impact::planar::{Law, single};
+/// use carom_impact::{Law, planar::single};
 /// let ball = single::Contact {
 ///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
 /// };
 /// let out = single::resolve(&ball, Law::Poisson)?;
 /// assert_eq!(out.normal_work + out.tangential_work, 0.5 * (1.0 - 4.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
@@ -142,14 +143,14 @@ pub struct Station {
 /// # Example
 /// Each stage starts where the one before has ended.
 /// ```
-/// use carom_impact::planar::{Law, single};
+/// use carom_impact::{Law, planar::single};
 /// let ball = single::Contact {
 ///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 1.0, normal: -2.0, friction: 0.3, restitution: 0.5,
 /// };
 /// let mut stages = vec![];
 /// single::resolve_observed(&ball, Law::Poisson, &mut |stage| stages.push(*stage))?;
 /// assert!(stages.len() == 3 && stages.windows(2).all(|pair| pair[0].end == pair[1].start));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
@@ -185,7 +186,7 @@ pub struct Stage {
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{single, ImpactType, Law};
+/// use carom_impact::{Law, planar::{ImpactType, single}};
 /// // A ball of 1 kg dropped straight on a floor: it leaves at e times its approach speed.
 /// let ball = single::Contact { w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5 };
 /// let out = single::resolve(&ball, Law::Poisson)?;
@@ -195,7 +196,7 @@ pub struct Stage {
 /// let out = single::resolve(&single::Contact { slip: 7.0, ..ball }, Law::Poisson)?;
 /// assert!((out.slip - (7.0 - 0.3 * 3.5 * 3.0)).abs() < 1e-15);
 /// assert_eq!(out.kind, Some(ImpactType::SlidesThroughout));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn resolve(contact: &Contact, law: Law) -> Result<Outcome, ImpactError> {
     resolve_observed(contact, law, &mut |_: &Stage| {})
@@ -209,14 +210,14 @@ pub fn resolve(contact: &Contact, law: Law) -> Result<Outcome, ImpactError> {
 /// # Example
 /// Poisson's law: of 3 N s a third belongs to restitution, where e = 1/2.
 /// ```
-/// use carom_impact::planar::{Law, single};
+/// use carom_impact::{Law, planar::single};
 /// let ball = single::Contact {
 ///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 0.5,
 /// };
 /// let mut impulses = vec![];
 /// single::resolve_observed(&ball, Law::Poisson, &mut |stage| impulses.push(stage.end.normal_impulse))?;
 /// assert_eq!(impulses, [2.0, 3.0]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn resolve_observed(
     contact: &Contact,

@@ -3,7 +3,8 @@
 use super::answer::Solution;
 use super::staged::Stage;
 use super::walk::Walk;
-use super::{Phase, Slip, StageEnd};
+use super::{Slip, StageEnd};
+use crate::Phase;
 use crate::tolerance::STAGE_ZERO;
 
 /// The next event of a straight stage.

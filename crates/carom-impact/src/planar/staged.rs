@@ -23,7 +23,8 @@
 use super::share;
 use super::share::Share;
 use super::walk::Walk;
-use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
+use super::{ContactSet, ContactState, Slip, StageEnd};
+use crate::{ImpactError, Law, Phase};
 
 /// The outcome of an impact at several contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +101,7 @@ pub struct Stage<const N: usize> {
 /// A uniform rod of length 1 m and mass 1 kg turns about one end, which rests on a smooth floor, and falls flat with 6 rad/s: the
 /// supports at its ends take `m ω l/6` and `m ω l/3`, and it stops.
 /// ```
-/// use carom_impact::planar::{Law, ContactSet2, Touch, staged};
+/// use carom_impact::{Law, planar::{ContactSet2, Touch, staged}};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let end = |x| Touch { arm: Vec2::new(x, 0.0), normal, friction: 0.0, restitution: 0.0 };
@@ -108,7 +109,7 @@ pub struct Stage<const N: usize> {
 /// let out = staged::resolve(&rod, Law::Poisson)?;
 /// assert!((out.impulse[0][1] - 1.0).abs() < 1e-14 && (out.impulse[1][1] - 2.0).abs() < 1e-14);
 /// assert_eq!(out.velocity, [[0.0, 0.0], [0.0, 0.0]]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn resolve<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
@@ -149,7 +150,7 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
 /// # Example
 /// A box of 2 kg on both feet, e = 1/2: each takes 3 N s until it rests, and half of that after.
 /// ```
-/// use carom_impact::planar::{Law, ContactSet2, Touch, staged};
+/// use carom_impact::{Law, planar::{ContactSet2, Touch, staged}};
 /// use carom_num::Vec2;
 /// let normal = Vec2::new(0.0, 1.0);
 /// let foot = |x| Touch { arm: Vec2::new(x, -1.0), normal, friction: 0.0, restitution: 0.5 };
@@ -157,7 +158,7 @@ pub(super) fn resolve_as<const N: usize, const M: usize>(
 /// let mut impulses = vec![];
 /// staged::resolve_observed(&set, Law::Poisson, &mut |stage| impulses.push(stage.end.impulse[0][1]))?;
 /// assert!(impulses.len() == 2 && (impulses[0] - 3.0).abs() < 1e-14 && (impulses[1] - 4.5).abs() < 1e-14);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn resolve_observed<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,

@@ -6,15 +6,17 @@
 //!
 //! Source: Liu, Zhao and Brogliato, Proc. R. Soc. A 464 (2008) 3193: their distributing law `dP_j/dP_i` is the ratio of these forces.
 
-use super::error::{outside, require};
-use super::rate::{Load, RateProblem};
+use super::rate::RateProblem;
 use super::sharing::{settle_states, untouched};
 use super::staged::StagedOutcome;
-use super::{ContactSet, Guess, ImpactError, Law, MOST_CONTACTS, Slip};
+use super::{ContactSet, Guess, MOST_CONTACTS, Slip};
+use crate::Load;
+use crate::error::{outside, require};
 use crate::tolerance::{
     RANK, SPRING_CONE, SPRING_GAIN, SPRING_REST, SPRING_SHORTEST, SPRING_SOON, SPRING_STEP_ERROR,
     SPRING_STILL,
 };
+use crate::{ImpactError, Law};
 use carom_num::course::{self, Course, Lost, Pace, Stop};
 use carom_num::elementary::pow;
 
@@ -83,7 +85,7 @@ struct Leg<'s, const N: usize, const M: usize> {
 /// };
 /// let [[_, up]] = by_stiffness(&ball, &[1e6], 1.5)?.velocity;
 /// assert!((up - 1.0).abs() < 1e-8);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn by_stiffness<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,

@@ -2,7 +2,8 @@
 
 use super::Slip;
 use super::answer::{Broken, Condition, Guess, Solution};
-use super::rate::{Load, RateProblem};
+use super::rate::RateProblem;
+use crate::Load;
 use crate::tolerance::{CLEARLY_BROKEN, SLACK_TOLERANCE};
 
 /// A number (t, n) for every contact.

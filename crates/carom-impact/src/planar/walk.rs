@@ -4,12 +4,14 @@ use super::accumulation::History;
 use super::answer::Solution;
 use super::clock::Clock;
 use super::equations::Equations;
-use super::rate::{Load, RateProblem};
+use super::rate::RateProblem;
 use super::share::Share;
 use super::stage::{Step, change};
 use super::staged::{Stage, StagedOutcome, Station};
-use super::{ContactSet, ContactState, ImpactError, Law, Phase, Slip, StageEnd};
+use super::{ContactSet, ContactState, Slip, StageEnd};
+use crate::Load;
 use crate::tolerance::{ACCOUNTED, AT_REST, BALANCE, DROWNED, LOST, WORK_GAINED};
+use crate::{ImpactError, Law, Phase};
 
 /// Stages after which a walk is given up, per contact. Nearly all need fewer than ten; a series that is passed over starts as soon as its
 /// rounds are alike, and two slopes that are close to each other take thousands of stages to get there.

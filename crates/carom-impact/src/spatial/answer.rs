@@ -9,7 +9,7 @@ use carom_num::Vec3;
 /// A block of 1 kg at rest on an incline of 3 in 4 sticks or starts to slip, as friction is above or below
 /// 3/4.
 /// ```
-/// use carom_impact::{planar::rate::Load, spatial::{Mode, RateProblem}};
+/// use carom_impact::{Load, spatial::{Mode, RateProblem}};
 /// use carom_num::{Mat3, Vec3};
 /// let mode = |friction: f64| RateProblem::<1> {
 ///     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[friction],
@@ -34,7 +34,7 @@ pub enum Mode {
 /// # Example
 /// A block that slips already: friction brakes it, and the floor holds it up.
 /// ```
-/// use carom_impact::{planar::rate::Load, spatial::{Guess, Mode, RateProblem}};
+/// use carom_impact::{Load, spatial::{Guess, Mode, RateProblem}};
 /// use carom_num::{Mat3, Vec3};
 /// let answer = RateProblem::<1> {
 ///     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],
@@ -81,7 +81,7 @@ pub enum Condition {
 /// # Example
 /// A body of 1 kg that rests on two points: they may press against each other along their line.
 /// ```
-/// use carom_impact::{planar::rate::Load, spatial::{ContactSet, Freedom, RateProblem, RigidBody, Touch}};
+/// use carom_impact::{Load, spatial::{ContactSet, Freedom, RateProblem, RigidBody, Touch}};
 /// use carom_num::{Mat3, Vec3};
 /// let body = RigidBody { mass: 1.0, inertia: Mat3::IDENTITY, velocity: Vec3::ZERO, spin: Vec3::ZERO };
 /// let foot = |x| Touch { arm: Vec3::new(x, 0.0, -0.5), normal: Vec3::Z, friction: 0.5, restitution: 0.0 };
@@ -92,7 +92,7 @@ pub enum Condition {
 /// }.solve().solutions[0].unwrap();
 /// assert_eq!(solution.freedom, Freedom::Rates);
 /// assert!(solution.rates.iter().all(|rate| (rate.z - 5.0).abs() < 1e-14), "half of the weight each");
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Freedom {
@@ -111,7 +111,7 @@ pub enum Freedom {
 /// A rod whose end slips into its lean, `W_nn − μW_tn = 5/2 − 2 · 3/2 < 0`, and is pulled off: it may leave,
 /// or friction may hold it.
 /// ```
-/// use carom_impact::{planar::rate::Load, spatial::{Mode, Preference, RateProblem}};
+/// use carom_impact::{Load, spatial::{Mode, Preference, RateProblem}};
 /// use carom_num::{Mat3, Vec3};
 /// let operator = [[Mat3 { rows: [Vec3::new(2.5, 0.0, 1.5), Vec3::Y, Vec3::new(1.5, 0.0, 2.5)] }]];
 /// let answer = RateProblem::<1> {

@@ -2,7 +2,7 @@
 
 use super::set::outside;
 use super::{ContactSet, RigidBody, Touch};
-use crate::planar::ImpactError;
+use crate::ImpactError;
 use carom_num::{Mat3, Vec3};
 
 /// A contact of a body with another one, or with what does not yield.
@@ -100,7 +100,7 @@ impl<const N: usize> ContactSet<N> {
     /// assert_eq!((set.operator[0][0].rows[2].z, set.velocity[0].z), (1.5, -3.0));
     /// let after = struck(&bodies, &meetings, &[Vec3::Z * (2.0 * 3.0 / 1.5)])?;
     /// assert_eq!((after[0].velocity, after[1].velocity), (-Vec3::X, Vec3::X * 2.0));
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn of_bodies(bodies: &[RigidBody], meetings: &[Meeting]) -> Result<Self, ImpactError> {
         Self::joined(bodies, meetings.len(), |i| meetings[i])
@@ -165,7 +165,7 @@ impl<const N: usize> ContactSet<N> {
 /// let meeting = Meeting { body: 1, touch, other: Some((0, Vec3::X)) };
 /// let after = struck(&[one, two], &[meeting], &[Vec3::Z * 4.0])?;
 /// assert_eq!((after[0].velocity, after[1].velocity), (-Vec3::X, Vec3::X * 2.0));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn struck(
     bodies: &[RigidBody],

@@ -15,7 +15,7 @@
 use super::answer::Mode;
 use super::leg::{Goal, Leg, Pace, Place, StageEvent, Walked};
 use super::watch::{OF_CONTACT, Watch};
-use crate::planar::ImpactError;
+use crate::ImpactError;
 use crate::tolerance::{
     BIRTH, CURVE_NOISE, CURVE_SHORT, CURVE_STEP_ERROR, FALLEN, NEAR_STOP, NEUTRAL, SETTLED_FALL, STANDING,
     STOPPED,

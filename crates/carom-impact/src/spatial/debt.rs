@@ -2,7 +2,7 @@
 
 use super::ContactSet;
 use super::leg::{Goal, Place, StageEvent};
-use crate::planar::Law;
+use crate::Law;
 
 /// What contacts owe.
 #[derive(Clone, Copy)]

@@ -14,7 +14,7 @@
 //! The invariant directions are those of Bhatt and Koechling, J. Appl. Mech. 62 (1995) 893; the clock σ is a change of variable.
 
 use super::single::{Goal, Place};
-use crate::planar::ImpactError;
+use crate::ImpactError;
 use crate::tolerance::{BESIDE, CURVE_STEP_ERROR, SETTLED_TURN, STOPPED};
 use carom_num::course::{self, Course, Pace, Stop};
 use carom_num::elementary::{atan2, exp, ln, sin_cos};

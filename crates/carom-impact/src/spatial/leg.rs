@@ -7,7 +7,7 @@ use super::answer::{Guess, Member, Mode, Solution};
 use super::equations::Hypothesis;
 use super::rate::RateProblem;
 use super::{ContactSet, Station};
-use crate::planar::rate::Load;
+use crate::Load;
 use crate::tolerance::{NO_SLIP, ON_LINE, SMALL_SLIP, STAGE_ZERO, STRAIGHT_TURN};
 use carom_num::Vec3;
 

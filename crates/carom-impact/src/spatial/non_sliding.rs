@@ -137,7 +137,7 @@ impl<const N: usize> ContactSet<N> {
     /// let states = ContactSet::<4>::of_free_body(&cube, &corners)?.states_of_keeping();
     /// assert_eq!(states.conclusion(), Conclusion::Unique);
     /// assert_eq!(states.consistent[0].kept, [false, false, true, true]);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn states_of_keeping(&self) -> StatesOfKeeping<N> {
         self.states_within(KEEPING_SLACK, SAME_MOTION)

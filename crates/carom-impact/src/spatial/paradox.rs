@@ -4,8 +4,8 @@ use super::answer::Solution;
 use super::leg::{Goal, Leg};
 use super::staged::{Ground, Stage};
 use super::walk::{Purpose, Walk};
-use crate::planar::ImpactError;
-use crate::planar::rate::Load;
+use crate::ImpactError;
+use crate::Load;
 use crate::tolerance::REST_IN_PARADOX;
 use carom_num::Vec3;
 

@@ -9,7 +9,7 @@
 
 use super::answer::{Answer, Condition, Freedom, Guess, Member, Mode, Solution};
 use super::equations::{Found, Hypothesis};
-use crate::planar::rate::Load;
+use crate::Load;
 use crate::tolerance::{ALONG_ITS_RESPONSE, SLACK_TOLERANCE};
 use carom_num::{Mat3, Vec3};
 
@@ -22,7 +22,7 @@ use carom_num::{Mat3, Vec3};
 /// # Example
 /// A block of 1 kg at rest on an incline of 3 in 4 (g = 10 m/s²) holds from μ = 3/4 on, and else starts to slip downhill, wherever that is.
 /// ```
-/// use carom_impact::planar::rate::Load;
+/// use carom_impact::Load;
 /// use carom_impact::spatial::{Mode, RateProblem};
 /// use carom_num::{Mat3, Vec3};
 /// let block = [[Mat3::IDENTITY]];
@@ -93,7 +93,7 @@ impl<const N: usize> RateProblem<'_, N> {
     /// # Example
     /// A block of 1 kg that slips along (3, 4)/5 is braked by μg = 5 m/s² against that.
     /// ```
-    /// use carom_impact::{planar::rate::Load, spatial::RateProblem};
+    /// use carom_impact::{Load, spatial::RateProblem};
     /// use carom_num::{Mat3, Vec3};
     /// let answer = RateProblem::<1> {
     ///     count: 1, operator: &[[Mat3::IDENTITY]], friction: &[0.5],

@@ -1,7 +1,7 @@
 //! Several contacts of one body in space: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
 use super::{MOST_EXAMINED, Meeting};
-use crate::planar::ImpactError;
+use crate::ImpactError;
 use crate::tolerance::{INERTIA_EQUALITY, UNIT_LENGTH};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
@@ -57,7 +57,7 @@ pub struct Touch {
 /// let set = ContactSet::<2>::of_free_body(&body, &[foot(1.0, 0.5), foot(-0.5, 2.0)])?;
 /// let difference = set.operator[0][1] - set.operator[1][0].transposed();
 /// assert!(difference.rows.iter().all(|row| row.norm() < 1e-15));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSet<const N: usize> {
@@ -226,7 +226,7 @@ impl<const N: usize> ContactSet<N> {
     /// let set = ContactSet::<1>::of_free_body(&ball, &[touch])?;
     /// assert_eq!(set.operator[0][0], Mat3::diagonal(3.5, 3.5, 1.0));
     /// assert_eq!(set.velocity[0], -Vec3::Z);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn of_free_body(body: &RigidBody, touches: &[Touch]) -> Result<Self, ImpactError> {
         Self::joined(std::slice::from_ref(body), touches.len(), |i| Meeting {

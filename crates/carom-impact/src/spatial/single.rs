@@ -8,7 +8,7 @@
 //! Routh 1860; Keller, J. Appl. Mech. 53 (1986) 1; Bhatt and Koechling, J. Appl. Mech. 62 (1995) 893; Stronge, J. Appl. Mech. 58 (1991) 1049.
 
 use super::hodograph::{Reached, Rough, slide};
-use crate::planar::{ImpactError, Law};
+use crate::{ImpactError, Law};
 use carom_num::{Mat3, Vec3};
 
 /// One contact just before an impact, in its own frame (t₁, t₂, n).
@@ -29,7 +29,7 @@ pub struct Contact {
 /// # Example
 /// A ball that comes down straight sticks; one that slips fast goes on to.
 /// ```
-/// use carom_impact::{planar::Law, spatial::{Contact, Slip}};
+/// use carom_impact::{Law, spatial::{Contact, Slip}};
 /// use carom_num::{Mat3, Vec3};
 /// let slip = |velocity| {
 ///     let operator = Mat3::diagonal(3.5, 3.5, 1.0);
@@ -54,13 +54,13 @@ pub enum Slip {
 /// # Example
 /// A slip of 0.35 m/s stops after 0.35/(0.1 · 3.5) = 1 N s; compression takes 2 N s.
 /// ```
-/// use carom_impact::{planar::Law, spatial::{Contact, StageEnd}};
+/// use carom_impact::{Law, spatial::{Contact, StageEnd}};
 /// use carom_num::{Mat3, Vec3};
 /// let (operator, velocity) = (Mat3::diagonal(3.5, 3.5, 1.0), Vec3::new(0.21, 0.28, -2.0));
 /// let out = Contact { operator, velocity, friction: 0.1, restitution: 0.5 }.resolve(Law::Poisson)?;
 /// let ends: Vec<_> = out.stages.iter().map(|stage| stage.ended_by).collect();
 /// assert_eq!(ends, [StageEnd::SlipStops, StageEnd::CompressionEnds, StageEnd::RestitutionEnds]);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageEnd {
@@ -90,13 +90,13 @@ pub struct Stage {
 /// # Example
 /// The work is the change of energy, here that of a ball of 1 kg that falls with 2 m/s and rises with 1 m/s.
 /// ```
-/// use carom_impact::{planar::Law, spatial::Contact};
+/// use carom_impact::{Law, spatial::Contact};
 /// use carom_num::{Mat3, Vec3};
 /// let operator = Mat3::diagonal(3.5, 3.5, 1.0);
 /// let ball = Contact { operator, velocity: Vec3::Z * -2.0, friction: 0.1, restitution: 0.5 };
 /// let out = ball.resolve(Law::Stronge)?;
 /// assert!((out.velocity.z - 1.0).abs() < 1e-15 && (out.normal_work + 1.5).abs() < 1e-15);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
@@ -207,7 +207,7 @@ impl Contact {
     /// # Example
     /// A ball (W_tt = 7/2, W_nn = 1) that strikes obliquely and rough enough stops slipping: the friction impulse is 2/7 of the slip.
     /// ```
-    /// use carom_impact::planar::Law;
+    /// use carom_impact::Law;
     /// use carom_impact::spatial::Contact;
     /// use carom_num::{Mat3, Vec3};
     /// let ball = Contact {
@@ -216,7 +216,7 @@ impl Contact {
     /// let out = ball.resolve(Law::Poisson)?;
     /// assert!((out.velocity - Vec3::Z * 0.8).norm() < 1e-12);
     /// assert!((out.impulse - Vec3::new(-0.6 / 7.0, -0.8 / 7.0, 1.8)).norm() < 1e-12);
-    /// # Ok::<(), carom_impact::planar::ImpactError>(())
+    /// # Ok::<(), carom_impact::ImpactError>(())
     /// ```
     pub fn resolve(&self, law: Law) -> Result<Outcome, ImpactError> {
         self.check()?;

@@ -20,8 +20,8 @@ use super::answer::{Freedom, Mode, Preference};
 use super::leg::StageEvent;
 use super::walk::Walk;
 use super::{ContactSet, RateProblem};
-use crate::planar::rate::Load;
-use crate::planar::{ImpactError, Law, Phase};
+use crate::Load;
+use crate::{ImpactError, Law, Phase};
 use carom_num::Vec3;
 
 /// Several contacts at one instant of the walk, each in its own frame.
@@ -87,14 +87,14 @@ impl<const N: usize> Stage<N> {
 /// # Example
 /// A ball of 1 kg that slips fast: 3 N s along the normal, of which friction is a tenth, against the slip.
 /// ```
-/// use carom_impact::{planar::Law, spatial::{ContactSet, RigidBody, Touch, staged}};
+/// use carom_impact::{Law, spatial::{ContactSet, RigidBody, Touch, staged}};
 /// use carom_num::{Mat3, Vec3};
 /// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
 /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(3.0, 4.0, -2.0), spin: Vec3::ZERO };
 /// let touch = Touch { arm: -Vec3::Z, normal: Vec3::Z, friction: 0.1, restitution: 0.5 };
 /// let out = staged::resolve(&ContactSet::<1>::of_free_body(&ball, &[touch])?, Law::Poisson)?;
 /// assert!((out.impulse[0] - Vec3::new(-0.18, -0.24, 3.0)).norm() < 1e-14);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StagedOutcome<const N: usize> {
@@ -171,7 +171,7 @@ const MOST_HALVINGS: u32 = 40;
 /// m/s, across the rod and against each other. The supports take 1/2 N s each, and their friction brakes the spin by `μ (1/2 + 1/2) (1/2) / J = 6 μ`:
 /// it stops from μ = 1/2 on.
 /// ```
-/// use carom_impact::planar::Law;
+/// use carom_impact::Law;
 /// use carom_impact::spatial::{ContactSet, RigidBody, Touch, staged};
 /// use carom_num::{Mat3, Vec3};
 /// let inertia = Mat3::diagonal(1e-4, 1.0 / 12.0, 1.0 / 12.0);
@@ -182,11 +182,11 @@ const MOST_HALVINGS: u32 = 40;
 ///     let out = staged::resolve(&set, Law::Poisson)?;
 ///     let pushed = |body: RigidBody, (arm, i): (f64, usize)| body.pushed(Vec3::X * arm, set.frame[i].transposed() * out.impulse[i]);
 ///     let after = pushed(rod, (-0.5, 0)).and_then(|body| pushed(body, (0.5, 1)));
-///     Ok::<_, carom_impact::planar::ImpactError>(after.map_or(f64::NAN, |body| body.spin.z))
+///     Ok::<_, carom_impact::ImpactError>(after.map_or(f64::NAN, |body| body.spin.z))
 /// };
 /// assert!((spin_after(0.2)? - 1.8).abs() < 1e-12);
 /// assert!(spin_after(0.6)?.abs() < 1e-12);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn resolve<const N: usize>(set: &ContactSet<N>, law: Law) -> Result<StagedOutcome<N>, ImpactError> {
     resolve_preferring(set, law, Preference::default())
@@ -235,7 +235,7 @@ fn walked<const N: usize>(
 /// # Example
 /// The last stage ends where the outcome says.
 /// ```
-/// use carom_impact::{planar::Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
+/// use carom_impact::{Law, spatial::{ContactSet, Preference, RigidBody, Touch, staged}};
 /// use carom_num::{Mat3, Vec3};
 /// let inertia = Mat3::diagonal(0.4, 0.4, 0.4);
 /// let ball = RigidBody { mass: 1.0, inertia, velocity: Vec3::new(0.7, 0.0, -2.0), spin: Vec3::ZERO };
@@ -244,7 +244,7 @@ fn walked<const N: usize>(
 /// let mut ends = vec![];
 /// let out = staged::resolve_observed(&set, Law::Poisson, Preference::MostOpen, &mut |s| ends.push(s.end))?;
 /// assert_eq!((ends.len(), ends.last().map(|end| end.impulse)), (out.stages, Some(out.impulse)));
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn resolve_observed<const N: usize>(
     set: &ContactSet<N>,

@@ -13,7 +13,7 @@ use super::equations::Hypothesis;
 use super::motions::Motions;
 use super::rate::{RateProblem, Search, Tried};
 use super::reduced::Reduced;
-use crate::planar::rate::Load;
+use crate::Load;
 use crate::tolerance::{HELD, SAME_DIRECTION, START_ARRIVED, START_DIFFERENCE, START_RANK, START_ROUNDING};
 use carom_num::elementary::{atan2, sin_cos};
 use carom_num::solve::solve_regular;

@@ -6,9 +6,9 @@ use super::debt::Debts;
 use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
 use super::rate::RateProblem;
 use super::staged::{Ground, Stage, StagedOutcome, Station};
-use crate::planar::rate::Load;
-use crate::planar::{ImpactError, Law, Phase};
+use crate::Load;
 use crate::tolerance::{AT_FOLD, AT_REST, NOT_STARTED, STAGE_ZERO, WEDGED_STAGE, WORK_GAINED_IN_SPACE};
+use crate::{ImpactError, Law, Phase};
 use carom_num::Vec3;
 
 /// Stages after which a walk is given up, per contact.

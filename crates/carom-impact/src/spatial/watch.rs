@@ -3,7 +3,7 @@
 use super::answer::Mode;
 use super::curve::{CLOCK, Curve, State, WORK};
 use super::leg::{Goal, Pace};
-use crate::planar::rate::Load;
+use crate::Load;
 use crate::tolerance::{AT_EDGE_OF_CURVE, CLOCK_HELD_UP, TOUCHING_EDGE};
 use carom_num::ode8::Vector;
 use carom_num::{Mat3, Vec3};

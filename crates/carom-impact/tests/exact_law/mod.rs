@@ -4,7 +4,7 @@
 //! its base load, the tangential rate onto the disc of radius μ r. How far they are from it is the judge's number; Newton's method on that, from rates
 //! drawn at random, is the search. It shares nothing with the kernel, which guesses what every contact does and looks for directions.
 
-use carom_impact::planar::rate::Load;
+use carom_impact::Load;
 use carom_impact::spatial::RateProblem;
 use carom_num::Vec3;
 use carom_num::elementary::{ln, sin_cos};

@@ -6,9 +6,10 @@
 pub mod compare;
 pub mod draw;
 
+use carom_impact::Law;
 use carom_impact::planar::end_states::EndState;
 use carom_impact::planar::staged::StagedOutcome;
-use carom_impact::planar::{ContactSet2, Law, Touch, end_states, staged};
+use carom_impact::planar::{ContactSet2, Touch, end_states, staged};
 use carom_num::Vec2;
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
 

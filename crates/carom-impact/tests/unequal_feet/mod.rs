@@ -1,6 +1,6 @@
 //! Bodies that rock on feet of unequal friction.
 
-use carom_impact::planar::rate::Load;
+use carom_impact::Load;
 use carom_impact::spatial::{ContactSet, RateProblem, RigidBody, Touch};
 use carom_num::elementary::exp;
 use carom_num::{Mat3, Vec3};

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::evaluated::Quantity;
 use crate::evaluated::faults::{Fault, during};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::Vec2;
 
 /// Simulated time [s], and events, of a run.

@@ -11,8 +11,9 @@ use super::terms::{Happening, MarginOf, MotionError};
 use super::touching::{Few, Search};
 use super::walker::Walker;
 use crate::tolerance::{SAME_POINT, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP};
+use carom_impact::ImpactError;
+use carom_impact::planar::Slip;
 use carom_impact::planar::rate::MOST_EXAMINED;
-use carom_impact::planar::{ImpactError, Slip};
 
 /// What an event has said of the pairs that meet.
 #[derive(Clone, Copy, Debug, Default)]

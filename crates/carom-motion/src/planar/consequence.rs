@@ -167,7 +167,7 @@ mod tests {
 
     use super::*;
     use crate::planar::{Body, Feature, Obstacle, Options, Pose, Shape, State, Twist, World};
-    use carom_impact::planar::Law;
+    use carom_impact::Law;
     use carom_num::Vec2;
 
     /// Whether the corner of a block that stands exactly at a floor's end leaves it, when the block moves at this speed \[m/s\] outwards.

@@ -20,7 +20,7 @@ use crate::tolerance::SAME_INSTANT;
 /// # Example
 /// A ball of 1 kg meets one of 3 kg at rest, head on and with e = 1/2.
 /// ```
-/// use carom_impact::planar::Law;
+/// use carom_impact::Law;
 /// use carom_motion::planar::{Body, Crowd, Options, Pose, Shape, State, Surface, Twist, World};
 /// use carom_num::Vec2;
 /// let ball = |mass: f64| -> Body {

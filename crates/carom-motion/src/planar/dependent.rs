@@ -85,7 +85,7 @@ mod tests {
     use crate::planar::kinematics::Kinematics;
     use crate::planar::line::Line;
     use crate::planar::{Body, Shape};
-    use carom_impact::planar::Law;
+    use carom_impact::Law;
 
     const UP: Vec2 = Vec2 { x: 0.0, y: 1.0 };
     const MOTION: (Vec2, f64) = (Vec2 { x: 0.3, y: -0.2 }, 0.8);

@@ -1,7 +1,7 @@
 //! Small worlds that the examples of this module share: every number in them is round, so that a result can be checked by hand.
 
 use super::{Body, Obstacle, Pose, Shape, State, Surface, Twist, World};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::Vec2;
 
 /// A ball of 1 kg and radius 0.1 m at rest, its centre 0.3 m above a floor with μ = 0.3 and e = 1/2; g = 10 m/s².

@@ -148,7 +148,7 @@ mod tests {
 
     use super::*;
     use crate::planar::Body;
-    use carom_impact::planar::Law;
+    use carom_impact::Law;
 
     /// Obstacles given by their ends, around a disc of 1 m.
     fn world(ends: &[[(f64, f64); 2]]) -> World {

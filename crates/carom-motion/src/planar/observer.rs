@@ -160,7 +160,7 @@ pub trait Observer {
     /// there, its centre would have to move in a circle of ½ m about the foot: the force would be `m (g − ω²
     /// ℓ/2)`, −40 N.
     /// ```
-    /// use carom_impact::planar::Law;
+    /// use carom_impact::Law;
     /// use carom_motion::planar::{Observer, Obstacle, Options, Pose, State, Twist, Walker, World, examples};
     /// use carom_num::Vec2;
     /// struct Pull(Option<f64>);

@@ -128,7 +128,7 @@ impl World {
     /// A ball of radius 0.1 m, its centre 0.3 m above the floor; and beyond the end of a floor that reaches to x = 4 m, at the corner of a triangle of 3,
     /// 4 and 5.
     /// ```
-    /// use carom_impact::planar::Law;
+    /// use carom_impact::Law;
     /// use carom_motion::planar::{Obstacle, Pose, State, World, examples};
     /// use carom_num::Vec2;
     /// let (world, start) = examples::falling_ball();

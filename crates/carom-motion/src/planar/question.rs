@@ -5,9 +5,11 @@ use super::mode::Held;
 use super::touching::{Few, MOST_TOUCHING};
 use super::{State, World};
 use crate::tolerance::{MODE_CONTRADICTION, SIGNIFICANT_RATE, WEIGHTLESS};
-use carom_impact::planar::rate::{Load, RateProblem};
+use carom_impact::ImpactError;
+use carom_impact::Load;
+use carom_impact::planar::rate::RateProblem;
 use carom_impact::planar::{
-    Answer, ContactSet, Guess, ImpactError, MOST_CONTACTS, Meeting, RigidBody, Slip, Solution, Touch,
+    Answer, ContactSet, Guess, MOST_CONTACTS, Meeting, RigidBody, Slip, Solution, Touch,
 };
 use carom_num::Vec2;
 

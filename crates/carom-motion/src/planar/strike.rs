@@ -7,9 +7,9 @@ use super::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactS
 use super::{Feature, State, Twist, World};
 use crate::tolerance::PAINLEVE_EDGE;
 use carom_impact::planar::{
-    Block, ContactSet, ContactState, ImpactError, ImpactType, Law, Phase, Slip, StageEnd, share, single,
-    staged,
+    Block, ContactSet, ContactState, ImpactType, Slip, StageEnd, share, single, staged,
 };
+use carom_impact::{ImpactError, Law, Phase};
 
 /// The friction with which a contact is on the far side of Painlevé's edge, where it is at the edge within the rounding of the motion that
 /// has run into it: which side the last step fell on decides nothing.

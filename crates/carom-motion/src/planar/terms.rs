@@ -1,7 +1,7 @@
 //! What a walk is given, and what it says: options, happenings, errors, effort and margin.
 
 use crate::tolerance::{MOST_SIGNIFICANT_RATE, PLANAR_TOLERANCE, SIGNIFICANT_RATE};
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use thiserror::Error;
 
 /// How exactly and how long to walk.

@@ -1,7 +1,8 @@
 //! What a run leaves behind for tables and pictures.
 
 use super::{Feature, Pose, State, Twist};
-use carom_impact::planar::{ContactState, ImpactType, Law, Phase, Slip, StageEnd};
+use carom_impact::planar::{ContactState, ImpactType, Slip, StageEnd};
+use carom_impact::{Law, Phase};
 use carom_num::Vec2;
 
 /// One contact at one instant of a smooth motion.
@@ -264,7 +265,7 @@ pub struct ContactStage {
 /// # Example
 /// A ball without slip is compressed and then rebounds.
 /// ```
-/// use carom_impact::planar::{Phase, StageEnd};
+/// use carom_impact::{Phase, planar::StageEnd};
 /// use carom_motion::planar::{Options, Recorder, Walker, examples};
 /// let (world, start) = examples::falling_ball();
 /// let mut recorder = Recorder::default();

@@ -21,7 +21,7 @@ use std::borrow::Cow;
 /// A ball falls 0.2 m to a floor at g = 10 m/s²: it strikes after 0.2 s with 2 m/s and, with e = 1/2, leaves
 /// with 1 m/s.
 /// ```
-/// use carom_impact::planar::Law;
+/// use carom_impact::Law;
 /// use carom_motion::planar::{Body, Happening, Obstacle, Options, Pose, Shape, State, Twist, Walker, World};
 /// use carom_num::Vec2;
 /// let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };

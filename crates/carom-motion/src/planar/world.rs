@@ -2,7 +2,7 @@
 
 use super::kinematics::Pairing;
 use super::{Body, Obstacle, Shape, State, Surface};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::Vec2;
 
 /// Free bodies among fixed obstacles under uniform gravity.
@@ -12,7 +12,7 @@ use carom_num::Vec2;
 /// # Example
 /// Two balls of 1 kg, half a metre and a metre up at g = 10 m/s², have 5 J and 10 J.
 /// ```
-/// use carom_impact::planar::Law;
+/// use carom_impact::Law;
 /// use carom_motion::planar::{Body, Obstacle, Pose, Shape, State, Surface, World};
 /// use carom_num::Vec2;
 /// let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };
@@ -65,7 +65,7 @@ impl World {
     ///
     /// # Example
     /// ```
-    /// use carom_impact::planar::Law;
+    /// use carom_impact::Law;
     /// use carom_motion::planar::{Body, Shape, World};
     /// use carom_num::Vec2;
     /// let ball = Body { shape: Shape::new(vec![Vec2::ZERO], 0.1).unwrap(), mass: 1.0, inertia: 0.005 };

@@ -11,7 +11,7 @@ use super::terms::{Choice, MotionError};
 use super::walker::{Walker, without_way};
 use super::{Mode, Supports};
 use crate::tolerance::{PRESSING_APPROACHES, SUPPORT_STAYS, SUPPORT_STICKS};
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use carom_impact::spatial::{Conclusion, staged};
 use carom_num::Vec3;
 

@@ -2,7 +2,7 @@
 
 use super::Supports;
 use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE};
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::{acos, cos};
 use carom_num::{Mat3, Vec3};

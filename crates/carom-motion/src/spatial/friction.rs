@@ -1,6 +1,6 @@
 //! What a plane does to supports that slide and strike.
 
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use thiserror::Error;
 
 /// Coulomb friction and restitution between the supports of a body and the plane.
@@ -100,7 +100,7 @@ impl Friction {
     ///
     /// # Example
     /// ```
-    /// use carom_impact::planar::Law;
+    /// use carom_impact::Law;
     /// use carom_motion::spatial::Friction;
     /// let friction = Friction::new(0.3).with_law(Law::Stronge);
     /// assert_eq!((friction.law(), friction.coefficient(0)), (Law::Stronge, 0.3));
@@ -140,7 +140,7 @@ impl Friction {
     ///
     /// # Example
     /// ```
-    /// use carom_impact::planar::Law;
+    /// use carom_impact::Law;
     /// use carom_motion::spatial::Friction;
     /// assert_eq!(Friction::new(0.3).law(), Law::Poisson);
     /// ```

@@ -2,7 +2,7 @@
 
 use super::{Friction, State, Supports, World};
 use crate::tolerance::SLIP_ROUNDING;
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use carom_impact::spatial::{ContactSet, Touch};
 use carom_num::Vec3;
 
@@ -28,7 +28,7 @@ use carom_num::Vec3;
 /// assert_eq!((set.count, set.velocity[0].z), (4, -2.0));
 /// let moved = [0, 2].map(|corner| set.operator[0][corner].rows[2].z);
 /// assert!((moved[0] - 4.0).abs() < 1e-14 && (moved[1] + 2.0).abs() < 1e-14);
-/// # Ok::<(), carom_impact::planar::ImpactError>(())
+/// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn frictional_contacts<const N: usize>(
     world: &World,

@@ -11,7 +11,7 @@ use super::terms::{Choice, MotionError};
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
 use crate::tolerance::{CONES_LEFT_AT_ONCE, INSIDE_CONE, RESTING_SLIP, WEIGHTLESS};
-use carom_impact::planar::rate::Load;
+use carom_impact::Load;
 use carom_impact::spatial::{Conclusion, Mode as ContactMode, RateProblem};
 use carom_num::Vec3;
 

@@ -1,7 +1,7 @@
 //! What a run is given, and why there may be none.
 
 use crate::tolerance::{SPATIAL_CLOSING, SPATIAL_TOLERANCE, UNIT_LENGTH};
-use carom_impact::planar::ImpactError;
+use carom_impact::ImpactError;
 use carom_impact::spatial::Preference;
 use carom_num::Vec3;
 use thiserror::Error;

@@ -9,7 +9,7 @@ use super::roll::{DEFAULT_RADIUS, GRAVITY_KEY, MASS_KEY, TIME_KEY, file, one_of}
 use super::scene::way;
 use super::{File, Foreign, Holds, Key, Rule, Table, Way, When, key};
 use crate::problem::ProblemKind;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::spatial::Choice;
 use carom_words::Words;
 

@@ -11,7 +11,7 @@ use crate::drawing::{Side, Want};
 use crate::problem::ProblemKind;
 use crate::start::StartWord;
 use carom_feeder::Stop;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_study::design::Aim;
 use carom_words::Words;
 

@@ -7,7 +7,7 @@ use crate::impact_report::{EndStateReport, RejectedReport, end_state_report, rej
 use crate::impact_verdict::{Certainty, ImpactOutcome};
 use crate::run_report::AccumulationReport;
 use crate::word::Word;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::trace::Impact;
 use schemars::JsonSchema;
 use serde::Serialize;

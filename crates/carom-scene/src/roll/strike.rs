@@ -3,9 +3,10 @@
 use super::{RollKind, RollProblem, paper};
 use crate::impact_file::{ContactPlaces, ImpactBody, ImpactProblem};
 use crate::impact_verdict::Certainty;
+use carom_impact::Law;
 use carom_impact::planar::end_states::{self, EndStates};
 use carom_impact::planar::sharing::Sharing;
-use carom_impact::planar::{ContactSet6, ContactState, Law, MOST_CONTACTS, Touch, staged};
+use carom_impact::planar::{ContactSet6, ContactState, MOST_CONTACTS, Touch, staged};
 use carom_motion::planar::trace::{Impact, ImpactContact};
 
 /// A strike with its contacts in order: those touched before, then those that close.

@@ -13,7 +13,7 @@ use carom_num::Vec2;
 /// A square of 2 m whose centre is let go 1.5 m above the ground, and tilted by 10°, comes to lie on the side that was below; tilted by 80°, on the next
 /// one.
 /// ```
-/// use carom_impact::planar::Law;
+/// use carom_impact::Law;
 /// use carom_motion::planar::{Body, Obstacle, Options, Pose as Place, Shape, State, World};
 /// use carom_num::Vec2;
 /// use carom_study::poses::{Pose, thrown_in_plane};

@@ -2,8 +2,9 @@
 
 use crate::failure::ValidationError;
 use crate::value::Values;
+use carom_impact::Law;
 use carom_impact::planar::sharing::{self, Sharing};
-use carom_impact::planar::{ContactSet6, Law, Meeting, RigidBody, struck};
+use carom_impact::planar::{ContactSet6, Meeting, RigidBody, struck};
 use carom_num::Vec2;
 
 /// Velocities after of balls of radius 1 m in a row, by mass [kg] and velocity before [m/s]; where `wall`, the first strikes a wall behind it.

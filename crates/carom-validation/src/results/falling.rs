@@ -3,7 +3,8 @@
 use super::rolling::border;
 use crate::failure::ValidationError;
 use crate::value::Values;
-use carom_impact::planar::{Law, Slip};
+use carom_impact::Law;
+use carom_impact::planar::Slip;
 use carom_motion::planar::trace::{Piece, PieceEnd, Trace};
 use carom_motion::planar::{
     Body, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,

@@ -3,9 +3,11 @@
 use super::rolling::border;
 use crate::failure::ValidationError;
 use crate::value::Values;
-use carom_impact::planar::rate::{Load, RateProblem};
+use carom_impact::Law;
+use carom_impact::Load;
+use carom_impact::planar::rate::RateProblem;
 use carom_impact::planar::single::{Contact, Outcome, resolve};
-use carom_impact::planar::{ContactSet2, Law, Touch};
+use carom_impact::planar::{ContactSet2, Touch};
 use carom_num::Vec2;
 
 /// A uniform slender rod of 2 m and 1 kg: J = 1/3 kg m².

@@ -3,7 +3,7 @@
 use crate::failure::ValidationError;
 use crate::value::Values;
 use carom_feeder::{Feeder, Part, Plate, Start, Stop, Verdict};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::Vec2;
 use carom_num::elementary::tan;
 use carom_scene::angle_to_normal;

@@ -6,7 +6,7 @@ pub mod space;
 pub mod words;
 
 use carom_figure::{ImpactFigure, ImpactPicture, ImpactSketch, ImpulsePlane, JointWalk};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_impact::planar::forces::Applied;
 use carom_scene::{
     EndReport, ForceAnswerReport, ForceContactReport, ForceMotionReport, ImpactAnswer, ImpactAnswerReport,

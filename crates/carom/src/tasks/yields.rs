@@ -5,7 +5,7 @@ mod report;
 
 use super::wants;
 use carom_feeder::{Feeder, Run};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::planar::Options;
 use carom_scene::{Scene, Varied};
 use carom_study::design::Limits;

@@ -63,7 +63,7 @@
 //! The engine hands over each straight piece, a *stage*:
 //!
 //! ```
-//! use carom::impact::planar::{ImpactType, Law, Phase, Slip, StageEnd, single};
+//! use carom::impact::{Law, Phase, planar::{ImpactType, Slip, StageEnd, single}};
 //! let contact = single::Contact {
 //!     w_tt: 5.0, w_tn: 2.0, w_nn: 2.0, slip: -4.5, normal: -6.0, friction: 0.5, restitution: 0.5,
 //! };
@@ -107,7 +107,7 @@
 //! μ = 0.25, P_d = 2.5|S₀| against 19.5 and 29.25:
 //!
 //! ```
-//! use carom::impact::planar::{Class, Law, single};
+//! use carom::impact::{Law, planar::{Class, single}};
 //! let strike = |friction: f64, slip: f64| {
 //!     let contact = single::Contact {
 //!         w_tt: 5.0, w_tn: 2.0, w_nn: 2.0, slip, normal: -6.0, friction, restitution: 0.5,
@@ -136,7 +136,7 @@
 //! | Newton | velocity | e · 6 = 3 m/s | 6 | 3 |
 //!
 //! ```
-//! use carom::impact::planar::{Law, single};
+//! use carom::impact::{Law, planar::single};
 //! let strike = |law: Law, restitution: f64| {
 //!     let contact = single::Contact {
 //!         w_tt: 5.0, w_tn: 2.0, w_nn: 2.0, slip: -4.5, normal: -6.0, friction: 0.5, restitution,
@@ -171,7 +171,7 @@
 //! most engines do. Every hypothesis is tried, and each that fails names the inequality that it violates. Without restitution, our strike:
 //!
 //! ```
-//! use carom::impact::planar::{Block, Condition, ContactSet, Law, Slip, end_states, single};
+//! use carom::impact::{Law, planar::{Block, Condition, ContactSet, Slip, end_states, single}};
 //! let ends = |friction: f64, slip: f64| {
 //!     let set = ContactSet::<1, 2> {
 //!         count: 1,

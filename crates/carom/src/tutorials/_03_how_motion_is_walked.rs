@@ -10,7 +10,7 @@
 //! below it. Let it be at rest on that point and be pulled down at 6 m/s², with nothing else to hold it:
 //!
 //! ```
-//! use carom::impact::planar::{Block, Slip, rate::{Load, RateProblem}};
+//! use carom::impact::{Load, planar::{Block, Slip, rate::RateProblem}};
 //! let operator = [[Block { tt: 5.0, tn: 2.0, nt: 2.0, nn: 2.0 }]];
 //! let ask = |friction: f64, drive: [f64; 2]| {
 //!     let answer = RateProblem::<1, 2> {
@@ -37,7 +37,7 @@
 //! acceleration by `(W_nn + μW_tn) N`, which is −0.8 N at μ = 2: pressing pulls it in.
 //!
 //! ```
-//! use carom::impact::planar::{Block, Condition, Slip, rate::{Load, RateProblem}};
+//! use carom::impact::{Load, planar::{Block, Condition, Slip, rate::RateProblem}};
 //! let operator = [[Block { tt: 3.4, tn: -1.2, nt: -1.2, nn: 1.6 }]];
 //! let ask = |normal_drive: f64| {
 //!     let problem = RateProblem::<1, 2> {

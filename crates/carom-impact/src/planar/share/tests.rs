@@ -1,6 +1,7 @@
 use super::super::walk::Walk;
-use super::super::{ContactSet6, Law, StageEnd, Touch, staged};
+use super::super::{ContactSet6, StageEnd, Touch, staged};
 use super::*;
+use crate::Law;
 use carom_num::Vec2;
 use carom_num::solve::solve_regular;
 use rand::{RngExt, SeedableRng};

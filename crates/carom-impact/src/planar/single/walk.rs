@@ -1,8 +1,9 @@
 //! The walk itself: straight pieces of impulse, each to the next event.
 
-use super::super::{ContactState, ImpactType, Law, Phase, Slip, StageEnd};
+use super::super::{ContactState, ImpactType, Slip, StageEnd};
 use super::{Contact, Outcome, Stage, Station};
 use crate::tolerance::WORK_GAINED;
+use crate::{Law, Phase};
 
 /// What compression leaves for restitution.
 pub(super) struct Compression {

@@ -237,7 +237,7 @@ mod tests {
     use crate::planar::touching::Few;
     use crate::planar::watch::{Watch, Watched};
     use crate::planar::{Body, Obstacle, Shape};
-    use carom_impact::planar::Law;
+    use carom_impact::Law;
     use carom_num::ode8::step_plain;
 
     /// Rounding of forces, places and velocities that are sums of some dozen terms, as a share.

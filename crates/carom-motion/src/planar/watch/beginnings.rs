@@ -5,7 +5,7 @@
 use super::*;
 use crate::planar::mode::Acceleration;
 use crate::planar::{Body, Feature, Obstacle, Pose, Shape, State, Twist};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_num::Vec2;
 
 /// A ball of 0.1 m that leaves a floor with 2 m/s at g = 10 m/s²: its gap is `2 t − 10 t²/2`. In the world's own units, 0.1 m and 0.1 s, the

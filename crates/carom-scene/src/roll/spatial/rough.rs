@@ -3,7 +3,7 @@
 use super::{SpatialRollKind, SpatialRollProblem};
 use crate::grammar::Section;
 use crate::roll::bodies::unfit;
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_motion::spatial::{Friction, World};
 use carom_words::Words;
 

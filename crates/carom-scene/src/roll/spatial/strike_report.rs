@@ -7,7 +7,7 @@ use super::report::finite;
 use super::rough_strike;
 use super::states::{Fails, States, states, touching_at};
 use crate::word::Word;
-use carom_impact::planar::Phase;
+use carom_impact::Phase;
 use carom_impact::spatial::{Conclusion, Mode};
 use carom_motion::spatial::{Clock, End, State, Supports};
 use carom_num::Vec3;

@@ -1,7 +1,8 @@
 //! The impulse planes of an answer.
 
 use carom_figure::{ImpulsePlane, ImpulsePoint, JointContact, JointWalk};
-use carom_impact::planar::{Phase, Slip, StageEnd};
+use carom_impact::Phase;
+use carom_impact::planar::{Slip, StageEnd};
 use carom_scene::{ImpactAnswer, ImpactContacts, ImpactProblem};
 use carom_words::{Words, impact};
 

@@ -1,7 +1,8 @@
 //! What is said of an impact, in words that the text, the page and the studio share.
 
+use carom_impact::Law;
+use carom_impact::planar::MOST_CONTACTS;
 use carom_impact::planar::sharing::Sharing;
-use carom_impact::planar::{Law, MOST_CONTACTS};
 use carom_scene::{
     Certainty, Convention, EndContactReport, EndReport, EndStateReport, ForceAnswerReport,
     ImpactAnswerReport, ImpactContacts, ImpactProblem, OpenShareReport, ShareTaken, SharingReport,

@@ -4,8 +4,9 @@ use super::study::{EndsAt, Label, Study};
 use crate::tasks::axes::{Key, Plane};
 use crate::tasks::tolerance::{REGION_ACCURACY, STILL_AFTER_IMPACT};
 use carom_figure::RegionName;
+use carom_impact::Law;
 use carom_impact::planar::sharing::{self, Sharing};
-use carom_impact::planar::{ContactSet6, Law, MOST_CONTACTS, pivoting, single};
+use carom_impact::planar::{ContactSet6, MOST_CONTACTS, pivoting, single};
 use carom_scene::{ImpactContacts, ImpactProblem, ImpactTemplate};
 use carom_study::Ends;
 

@@ -1,7 +1,7 @@
 //! The closed form of an impact in space, where there is one, beside the engine's numbers.
 
 use crate::tasks::tolerance::{NON_SLIDING_AGREES, SAME_NUMBER};
-use carom_impact::planar::Law;
+use carom_impact::Law;
 use carom_scene::{SpatialImpactProblem, SpatialImpactReport};
 use carom_theory::spatial::{AfterTwist, SpinStops, Twist};
 use carom_words::number::ascii;

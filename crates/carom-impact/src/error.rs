@@ -1,6 +1,6 @@
 //! Why an impact could not be resolved.
 
-use super::Faults;
+use crate::planar::Faults;
 use std::fmt;
 use thiserror::Error;
 
@@ -8,7 +8,7 @@ use thiserror::Error;
 ///
 /// # Example
 /// ```
-/// use carom_impact::planar::{Law, single};
+/// use carom_impact::{Law, planar::single};
 /// let ball = single::Contact {
 ///     w_tt: 3.5, w_tn: 0.0, w_nn: 1.0, slip: 0.0, normal: -2.0, friction: 0.3, restitution: 1.5,
 /// };
