@@ -1,6 +1,7 @@
 //! Which crate may depend on which: the arrows of `ARCHITECTURE.md`.
 
 use crate::metadata::{self, Dependency, Package, Use};
+use crate::rooms;
 use std::path::Path;
 
 /// Our crates by height. An arrow may only point down; two crates of one height do not see each other.
@@ -48,10 +49,10 @@ const HOMES: [(&str, &[&str]); 14] = [
     ("tokio", &[]),
 ];
 
-/// Checks the workspace's manifests.
+/// Checks the workspace's manifests, and the rooms within crates.
 pub(crate) fn check(root: &Path) -> Result<String, String> {
     let packages = metadata::workspace(root)?.packages;
-    let faults = faults(&packages);
+    let faults = [faults(&packages), rooms::faults(root)?].concat();
     if faults.is_empty() { Ok(format!("{} packages", packages.len())) } else { Err(faults.join("\n")) }
 }
 

@@ -16,6 +16,7 @@ mod markup;
 mod metadata;
 mod paths;
 mod python;
+mod rooms;
 mod rules;
 mod source;
 mod steps;

@@ -1,6 +1,6 @@
 //! Why an impact could not be resolved.
 
-use crate::planar::Faults;
+use crate::faults::Faults;
 use std::fmt;
 use thiserror::Error;
 

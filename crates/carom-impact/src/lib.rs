@@ -3,6 +3,7 @@
 //! [`planar`] holds bodies that move in a plane, [`spatial`] bodies in space.
 
 mod error;
+mod faults;
 mod law;
 mod load;
 pub mod planar;
@@ -10,5 +11,6 @@ pub mod spatial;
 mod tolerance;
 
 pub use error::ImpactError;
+pub use faults::Faults;
 pub use law::{Law, Phase};
 pub use load::Load;

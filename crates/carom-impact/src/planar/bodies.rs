@@ -1,8 +1,8 @@
 //! Several bodies that meet: their contacts as one set, and their velocities after it.
 
-use super::faults::{Faults, Quantity};
 use super::{Block, ContactSet};
 use crate::ImpactError;
+use crate::faults::{Faults, Quantity};
 use crate::tolerance::COINCIDE;
 use carom_num::Vec2;
 

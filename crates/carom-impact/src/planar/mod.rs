@@ -22,7 +22,6 @@ mod complementarity;
 pub mod end_states;
 mod equations;
 mod family;
-mod faults;
 pub mod forces;
 mod names;
 mod pair;
@@ -41,6 +40,5 @@ mod walk;
 
 pub use answer::{Answer, Broken, Condition, Guess, Solution};
 pub use bodies::{Meeting, RigidBody, struck};
-pub use faults::Faults;
 pub use names::{Class, ContactState, ImpactType, Slip, StageEnd};
 pub use set::{Block, ContactSet, ContactSet2, ContactSet6, MOST_CONTACTS, Touch};

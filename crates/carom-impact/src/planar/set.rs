@@ -1,8 +1,8 @@
 //! Several contacts of one body: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
-use super::faults::{Faults, Quantity};
 use super::single;
 use crate::ImpactError;
+use crate::faults::{Faults, Quantity};
 use carom_num::Vec2;
 
 /// Largest number of contacts of one impact.

@@ -8,8 +8,8 @@
 
 mod walk;
 
-use super::faults::{Faults, Quantity};
 use super::{ContactState, ImpactType, Slip, StageEnd};
+use crate::faults::{Faults, Quantity};
 use crate::{ImpactError, Law, Phase};
 use walk::{Compression, Walk};
 

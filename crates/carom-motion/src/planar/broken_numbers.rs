@@ -3,12 +3,15 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use super::{
-    Body, Crowd, Happening, MotionError, Obstacle, Options, Pose, Recorder, Shape, State, Surface, Twist,
-    Walker, World,
-};
 use crate::evaluated::Quantity;
 use crate::evaluated::faults::{Fault, during};
+use crate::planar::{
+    contact::World,
+    geometry::{Body, Obstacle, Pose, Shape, State, Surface, Twist},
+    record::Recorder,
+    several::Crowd,
+    walk::{Happening, MotionError, Options, Walker},
+};
 use carom_impact::Law;
 use carom_num::Vec2;
 

@@ -1,6 +1,9 @@
 //! Small worlds that the examples of this module share: every number in them is round, so that a result can be checked by hand.
 
-use super::{Body, Obstacle, Pose, Shape, State, Surface, Twist, World};
+use crate::planar::{
+    contact::World,
+    geometry::{Body, Obstacle, Pose, Shape, State, Surface, Twist},
+};
 use carom_impact::Law;
 use carom_num::Vec2;
 

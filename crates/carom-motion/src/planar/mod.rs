@@ -1,80 +1,21 @@
 //! Rigid bodies among fixed obstacles in the plane.
 
-mod accumulation;
-mod axial;
-mod beside;
-mod between;
-mod body;
-mod chain;
-mod clearance;
-mod collide;
-mod consequence;
-mod crowd;
-mod dependent;
-mod encounter;
-mod events;
+mod contact;
 pub mod examples;
-mod feature;
-mod flight;
-mod glide;
-mod holding;
-mod island;
-mod joint;
-mod kinematics;
-mod line;
-mod mass;
-mod meeting;
-mod member;
-mod mode;
-mod nodes;
-pub mod observer;
-mod obstacle;
-mod outlook;
-mod overlap;
-mod path;
-mod polish;
-mod project;
-mod question;
-mod recorder;
-mod reports;
-mod rest;
-mod separation;
-mod series;
-mod shape;
-mod shape_problem;
-mod sides;
-mod snapshot;
-mod state;
-mod steady;
-mod strike;
-mod swing;
-mod terms;
-mod touching;
-pub mod trace;
-mod walker;
-mod watch;
-mod world;
-mod wrap;
+mod geometry;
+mod modes;
+pub mod record;
+mod several;
+mod walk;
 
 #[cfg(test)]
 mod broken_numbers;
 
-pub use axial::AxialMoments;
-pub use body::Body;
-pub use chain::ChainPoint;
-pub use crowd::{Advance, Crowd};
-pub use feature::Feature;
-pub use kinematics::{Kinematics, Pairing};
-pub use mass::MassProperties;
-pub use member::Member;
-pub use observer::Observer;
-pub use obstacle::{Obstacle, Surface};
-pub use outlook::Outlook;
-pub use recorder::Recorder;
-pub use rest::{Rest, RestKind};
-pub use shape::Shape;
-pub use shape_problem::ShapeProblem;
-pub use state::{Pose, State, Twist};
-pub use terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
-pub use walker::Walker;
-pub use world::{Scales, World};
+pub use contact::{Kinematics, Pairing, Scales, World};
+pub use geometry::{
+    AxialMoments, Body, ChainPoint, Feature, MassProperties, Obstacle, Pose, Rest, RestKind, Shape,
+    ShapeProblem, State, Surface, Twist,
+};
+pub use record::{Observer, Recorder, observer, trace};
+pub use several::{Advance, Crowd, Member, Outlook};
+pub use walk::{Effort, Happening, Margin, MarginOf, MotionError, Options, Walker};

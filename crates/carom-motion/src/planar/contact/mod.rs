@@ -1,0 +1,13 @@
+//! The world, and where its bodies and obstacles touch: gaps, distances, overlaps.
+
+mod between;
+pub(in crate::planar) mod clearance;
+mod joint;
+pub(in crate::planar) mod kinematics;
+mod overlap;
+pub(in crate::planar) mod separation;
+pub(in crate::planar) mod touching;
+pub(in crate::planar) mod world;
+
+pub use kinematics::{Kinematics, Pairing};
+pub use world::{Scales, World};
