@@ -1,12 +1,12 @@
 //! Faces beside a contact's vertex: which of them can come to lie on what the vertex touches, and how far they stand off it.
 
 use super::mode::Loaded;
-use crate::planar::contact::kinematics::{Pairing, Turn};
-use crate::planar::contact::touching::Few;
-use crate::planar::{
-    contact::World,
-    geometry::{Feature, Shape},
+use crate::planar::contact::{
+    World,
+    kinematics::{Pairing, Turn},
+    touching::Few,
 };
+use crate::planar::geometry::{Feature, Shape};
 use crate::tolerance::FLAT_SINE;
 use carom_num::Vec2;
 

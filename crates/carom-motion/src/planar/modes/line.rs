@@ -1,8 +1,11 @@
 //! Generalised forces at contacts, and what they do to the bodies.
 
 use super::mode::Acceleration;
-use crate::planar::contact::kinematics::{Kinematics, Pairing};
-use crate::planar::{contact::World, geometry::Body};
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing},
+};
+use crate::planar::geometry::Body;
 use carom_num::Vec2;
 
 /// A direction at a contact, for a unit force along it or a velocity along it: the body has the force as it is, and the other one its reaction.

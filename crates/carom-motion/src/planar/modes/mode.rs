@@ -2,9 +2,12 @@
 
 use super::line::{Line, Mobility};
 use super::question::Posed;
-use crate::planar::contact::kinematics::{Kinematics, Pairing, Turn, turns};
-use crate::planar::contact::touching::Few;
-use crate::planar::{contact::World, geometry::State};
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing, Turn, turns},
+    touching::Few,
+};
+use crate::planar::geometry::State;
 use crate::tolerance::MODE_RANK;
 use carom_impact::planar::Slip;
 use carom_num::Vec2;

@@ -1,9 +1,12 @@
 //! The rate problem of motion: which touching contacts hold, and how.
 
 use super::mode::Held;
-use crate::planar::contact::kinematics::{Kinematics, Pairing, Turn};
-use crate::planar::contact::touching::{Few, MOST_TOUCHING};
-use crate::planar::{contact::World, geometry::State};
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing, Turn},
+    touching::{Few, MOST_TOUCHING},
+};
+use crate::planar::geometry::State;
 use crate::tolerance::{MODE_CONTRADICTION, SIGNIFICANT_RATE, WEIGHTLESS};
 use carom_impact::ImpactError;
 use carom_impact::Load;

@@ -3,10 +3,8 @@
 use super::mode::{Forces, Held, Loaded};
 use super::watch::{Watch, Watched};
 use crate::evaluated::{Quantity, evaluated};
-use crate::planar::contact::kinematics::Turn;
-use crate::planar::contact::touching::Few;
-use crate::planar::contact::world::Scales;
-use crate::planar::{contact::World, geometry::State};
+use crate::planar::contact::{World, kinematics::Turn, touching::Few, world::Scales};
+use crate::planar::geometry::State;
 use crate::tolerance::OPEN_FORCES_ROUNDING;
 use carom_impact::planar::Slip;
 

@@ -1,13 +1,13 @@
 //! One impact of the body: from touching pairs to the impact kernel and back.
 
 use super::question::Posed;
-use crate::planar::contact::kinematics::{Kinematics, Pairing};
-use crate::planar::contact::touching::{Few, MOST_TOUCHING};
-use crate::planar::record::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
-use crate::planar::{
-    contact::World,
-    geometry::{Feature, State, Twist},
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing},
+    touching::{Few, MOST_TOUCHING},
 };
+use crate::planar::geometry::{Feature, State, Twist};
+use crate::planar::record::trace::{ContactStage, ContactVelocity, Impact, ImpactContact, ImpactStage};
 use crate::tolerance::PAINLEVE_EDGE;
 use carom_impact::planar::{
     Block, ContactSet, ContactState, ImpactType, Slip, StageEnd, share, single, staged,

@@ -1,10 +1,13 @@
 //! The event functions of a mode: positive while the mode holds.
 
 use super::mode::{Forces, Loaded};
-use crate::planar::contact::kinematics::{Kinematics, Pairing, Turn, turns};
-use crate::planar::contact::touching::Few;
-use crate::planar::contact::world::Scales;
-use crate::planar::{contact::World, geometry::State};
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing, Turn, turns},
+    touching::Few,
+    world::Scales,
+};
+use crate::planar::geometry::State;
 use crate::tolerance::{MOMENT, NOT_YET_LEFT};
 use carom_impact::planar::Slip;
 

@@ -6,10 +6,10 @@
 
 use super::island::{Ahead, Island};
 use crate::evaluated::unless_lost;
-use crate::planar::contact::world::Scales;
+use crate::planar::contact::{World, world::Scales};
+use crate::planar::geometry::State;
 use crate::planar::record::observer::Observer;
 use crate::planar::walk::terms::{Happening, MotionError, Options};
-use crate::planar::{contact::World, geometry::State};
 use crate::tolerance::SAME_INSTANT;
 
 /// Bodies of a world on their way.

@@ -1,17 +1,18 @@
 //! Bodies that touch each other move as one; bodies that do not, each for itself.
 
 use super::outlook::Outlook;
-use crate::planar::contact::kinematics::Pairing;
-use crate::planar::record::observer::{Observer, Observers};
-use crate::planar::record::trace::HeldContact;
-use crate::planar::walk::accumulation::Recent;
-use crate::planar::walk::collide::Closed;
-use crate::planar::walk::path::{Course, Leg};
-use crate::planar::walk::terms::{Effort, Happening, Margin, MotionError, Options};
-use crate::planar::walk::walker::Walker;
-use crate::planar::{
-    contact::World,
-    geometry::{State, Twist},
+use crate::planar::contact::{World, kinematics::Pairing};
+use crate::planar::geometry::{State, Twist};
+use crate::planar::record::{
+    observer::{Observer, Observers},
+    trace::HeldContact,
+};
+use crate::planar::walk::{
+    accumulation::Recent,
+    collide::Closed,
+    path::{Course, Leg},
+    terms::{Effort, Happening, Margin, MotionError, Options},
+    walker::Walker,
 };
 use std::borrow::Cow;
 

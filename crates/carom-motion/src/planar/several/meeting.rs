@@ -4,15 +4,15 @@
 //! the gap from below. Axes turn with the bodies' faces, or stand in the line between two vertices.
 
 use crate::evaluated::{Quantity, evaluated};
-use crate::planar::contact::clearance::Moves;
-use crate::planar::contact::kinematics::{Pairing, Turn};
-use crate::planar::contact::touching::Few;
-use crate::planar::contact::world::Scales;
-use crate::planar::walk::flight::{Known, falling_root};
-use crate::planar::{
-    contact::World,
-    geometry::{Shape, State},
+use crate::planar::contact::{
+    World,
+    clearance::Moves,
+    kinematics::{Pairing, Turn},
+    touching::Few,
+    world::Scales,
 };
+use crate::planar::geometry::{Shape, State};
+use crate::planar::walk::flight::{Known, falling_root};
 use crate::tolerance::{
     INSTANT, LEAST_ACCELERATION, MET_GAP, MOMENT, NEWTON_ASTRAY, NEWTON_DONE, SIGNIFICANT_RATE,
     STEP_PAST_TOUCH,

@@ -3,12 +3,16 @@
 use super::accumulation::Series;
 use super::terms::{Happening, MarginOf, MotionError};
 use super::walker::Walker;
-use crate::planar::contact::kinematics::{Kinematics, Pairing};
-use crate::planar::contact::touching::{Few, MOST_TOUCHING, Search};
+use crate::planar::contact::{
+    kinematics::{Kinematics, Pairing},
+    touching::{Few, MOST_TOUCHING, Search},
+};
 use crate::planar::geometry::State;
-use crate::planar::modes::mode::{Acceleration, Held};
-use crate::planar::modes::question::Asked;
-use crate::planar::modes::strike::{Strike, Struck, Witness};
+use crate::planar::modes::{
+    mode::{Acceleration, Held},
+    question::Asked,
+    strike::{Strike, Struck, Witness},
+};
 use crate::planar::record::observer::{ImpactFacts, Observers, is_dense};
 use crate::tolerance::{SAME_POINT, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP};
 use carom_impact::ImpactError;

@@ -4,13 +4,15 @@ use super::collide::Closed;
 use super::events::Event;
 use super::terms::{Happening, MotionError};
 use super::walker::Walker;
-use crate::planar::contact::kinematics::Pairing;
-use crate::planar::contact::touching::{Few, Search};
-use crate::planar::modes::mode::Forces;
-use crate::planar::modes::question::Asked;
-use crate::planar::modes::watch::Watch;
-use crate::planar::record::observer::Observers;
-use crate::planar::record::trace::{HeldContact, PieceEnd};
+use crate::planar::contact::{
+    kinematics::Pairing,
+    touching::{Few, Search},
+};
+use crate::planar::modes::{mode::Forces, question::Asked, watch::Watch};
+use crate::planar::record::{
+    observer::Observers,
+    trace::{HeldContact, PieceEnd},
+};
 use crate::tolerance::{STILL_SPEED, TOUCHING_GAP};
 use carom_impact::planar::Slip;
 

@@ -4,11 +4,15 @@ use super::nodes::Seen;
 use super::path::Stretch;
 use super::walker::Walker;
 use crate::evaluated::{Quantity, evaluated};
-use crate::planar::contact::kinematics::{Pairing, turns};
-use crate::planar::contact::separation::{Bounds, Leniency, Open};
+use crate::planar::contact::{
+    kinematics::{Pairing, turns},
+    separation::{Bounds, Leniency, Open},
+};
 use crate::planar::geometry::{Pose, State, Twist};
-use crate::planar::modes::mode::Acceleration;
-use crate::planar::modes::watch::{Watch, WatchList, Watched};
+use crate::planar::modes::{
+    mode::Acceleration,
+    watch::{Watch, WatchList, Watched},
+};
 use crate::tolerance::{APPROACH_PART, GRAZING_PART, GRAZING_STEP, MET_GAP, STEP_PAST_TOUCH, TOUCHING_GAP};
 use carom_num::Vec2;
 use carom_num::ode8::Step;

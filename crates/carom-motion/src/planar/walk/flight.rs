@@ -4,15 +4,17 @@ use super::collide::Closed;
 use super::path::Course;
 use super::terms::{Happening, MotionError};
 use super::walker::Walker;
-use crate::planar::contact::kinematics::{Kinematics, Pairing, Turn, turns};
-use crate::planar::contact::separation::{Bounds, Leniency, Open};
-use crate::planar::contact::touching::{Few, Search};
-use crate::planar::contact::world::Scales;
-use crate::planar::record::observer::{Observers, is_dense};
-use crate::planar::record::trace::PieceEnd;
-use crate::planar::{
-    contact::World,
-    geometry::{Feature, State},
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing, Turn, turns},
+    separation::{Bounds, Leniency, Open},
+    touching::{Few, Search},
+    world::Scales,
+};
+use crate::planar::geometry::{Feature, State};
+use crate::planar::record::{
+    observer::{Observers, is_dense},
+    trace::PieceEnd,
 };
 use crate::tolerance::{
     FEATURE_SLACK, INSTANT, MET_GAP, NEWTON_ASTRAY, NEWTON_DONE, STEP_PAST_TOUCH, STILL_SPEED, TOUCHING_GAP,

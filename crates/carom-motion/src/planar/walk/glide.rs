@@ -8,10 +8,14 @@ use super::walker::Walker;
 use crate::evaluated::watched;
 use crate::planar::contact::kinematics::turns;
 use crate::planar::geometry::{Feature, State};
-use crate::planar::modes::mode::{Forces, Held};
-use crate::planar::modes::watch::{FEW_WATCHED, MOST_OF_CONTACT, MOST_WATCHED, Watch, WatchList, Watched};
-use crate::planar::record::observer::{Observers, is_dense, wants_slips};
-use crate::planar::record::trace::{ContactSample, PieceEnd};
+use crate::planar::modes::{
+    mode::{Forces, Held},
+    watch::{FEW_WATCHED, MOST_OF_CONTACT, MOST_WATCHED, Watch, WatchList, Watched},
+};
+use crate::planar::record::{
+    observer::{Observers, is_dense, wants_slips},
+    trace::{ContactSample, PieceEnd},
+};
 use crate::tolerance::{CLEARLY_OPEN, FIRST_STEP_TOLERANCE, LOST_STEP, SHORTEST_STEP};
 use carom_impact::planar::Slip;
 use carom_num::elementary::pow;

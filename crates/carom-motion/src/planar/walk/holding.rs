@@ -1,11 +1,12 @@
 //! What a walk holds: the contacts, as each body sees them, the face that lies on an obstacle, and what does not move.
 
 use super::walker::Walker;
-use crate::planar::contact::kinematics::{Kinematics, Pairing};
-use crate::planar::contact::touching::{Few, Search};
+use crate::planar::contact::{
+    kinematics::{Kinematics, Pairing},
+    touching::{Few, Search},
+};
 use crate::planar::geometry::{Feature, Twist};
-use crate::planar::modes::mode::Held;
-use crate::planar::modes::question::Asked;
+use crate::planar::modes::{mode::Held, question::Asked};
 use crate::planar::record::trace::HeldContact;
 use crate::tolerance::{
     RESTING_ACCELERATION, SAME_DIRECTION_COSINE, SAME_POINT, STILL_SPEED, TOUCHING_GAP, WEDGED_ACCELERATION,

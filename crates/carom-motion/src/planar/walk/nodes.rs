@@ -2,12 +2,16 @@
 
 use super::events::{Vector, unpack};
 use super::walker::Walker;
-use crate::planar::contact::kinematics::{Turn, turns};
-use crate::planar::contact::separation::Bounds;
+use crate::planar::contact::{
+    kinematics::{Turn, turns},
+    separation::Bounds,
+};
 use crate::planar::geometry::State;
-use crate::planar::modes::mode::Forces;
-use crate::planar::modes::snapshot::Snapshot;
-use crate::planar::modes::watch::{Row, WatchList, Watched};
+use crate::planar::modes::{
+    mode::Forces,
+    snapshot::Snapshot,
+    watch::{Row, WatchList, Watched},
+};
 use crate::tolerance::{JUST_LEFT, LEAVES_DOWNWARD};
 use carom_num::Vec2;
 use carom_num::falls::{MOST_HALVINGS, Shown, shown};

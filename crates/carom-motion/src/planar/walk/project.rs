@@ -1,11 +1,16 @@
 //! Constraint drift: the least motion, in the mass metric, that closes the gaps and stops the rates of held contacts.
 
-use crate::planar::contact::kinematics::{Kinematics, Pairing, Turn};
-use crate::planar::contact::touching::{Few, MOST_TOUCHING};
-use crate::planar::modes::line::{Line, Mobility};
-use crate::planar::modes::mode::Held;
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing, Turn},
+    touching::{Few, MOST_TOUCHING},
+};
+use crate::planar::geometry::State;
+use crate::planar::modes::{
+    line::{Line, Mobility},
+    mode::Held,
+};
 use crate::planar::walk::walker::Walker;
-use crate::planar::{contact::World, geometry::State};
 use crate::tolerance::{
     MOST_AMPLIFIED, MOST_STOPPED_RATE, NEGLIGIBLE_RESIDUAL, PROJECTED_RATE, PROJECTION_RANK,
     REGULAR_PROJECTION,

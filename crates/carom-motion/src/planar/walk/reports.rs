@@ -3,8 +3,10 @@
 use super::path::{Course, Leg};
 use super::walker::Walker;
 use crate::planar::geometry::State;
-use crate::planar::record::observer::{Observers, PieceFacts};
-use crate::planar::record::trace::PieceEnd;
+use crate::planar::record::{
+    observer::{Observers, PieceFacts},
+    trace::PieceEnd,
+};
 
 impl<const B: usize> Walker<'_, B> {
     /// Notes the next part of the present piece, for those who want to know.

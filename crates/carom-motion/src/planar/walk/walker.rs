@@ -4,16 +4,17 @@ use super::accumulation::Recent;
 use super::path::Leg;
 use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
 use crate::evaluated::{unless_lost, watched};
-use crate::planar::contact::kinematics::{Kinematics, Pairing, Turn, Turned};
-use crate::planar::contact::touching::Few;
-use crate::planar::contact::world::Scales;
-use crate::planar::modes::mode::Held;
-use crate::planar::modes::question::Asked;
-use crate::planar::record::observer::{Observer, Observers};
-use crate::planar::record::trace::{HeldContact, PieceEnd};
-use crate::planar::{
-    contact::World,
-    geometry::{State, Twist},
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Pairing, Turn, Turned},
+    touching::Few,
+    world::Scales,
+};
+use crate::planar::geometry::{State, Twist};
+use crate::planar::modes::{mode::Held, question::Asked};
+use crate::planar::record::{
+    observer::{Observer, Observers},
+    trace::{HeldContact, PieceEnd},
 };
 use crate::tolerance::{MARGIN_TIE, SAME_INSTANT};
 use std::borrow::Cow;

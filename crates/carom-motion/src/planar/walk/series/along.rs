@@ -2,11 +2,10 @@
 
 use super::Expanded;
 use super::expansion::{Expansion, Given, Spreads};
-use crate::planar::contact::separation::Bounds;
-use crate::planar::contact::world::Scales;
+use crate::planar::contact::{World, separation::Bounds, world::Scales};
+use crate::planar::geometry::State;
 use crate::planar::modes::watch::Watched;
 use crate::planar::walk::path::Stretch;
-use crate::planar::{contact::World, geometry::State};
 use carom_impact::planar::Slip;
 use carom_num::taylor::{first_fall, value};
 

@@ -1,12 +1,9 @@
 //! The Taylor series of a lone body's motion with one contact, and what they say.
 
 use crate::evaluated::{Quantity, evaluated};
-use crate::planar::contact::kinematics::Turn;
+use crate::planar::contact::{World, kinematics::Turn};
+use crate::planar::geometry::{Feature, State};
 use crate::planar::modes::mode::Held;
-use crate::planar::{
-    contact::World,
-    geometry::{Feature, State},
-};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
 use carom_num::taylor::{integral, reach, spread, value};

@@ -13,15 +13,16 @@ use super::glide::MOST_STEPS;
 use super::path::{Course, Stretch};
 use super::terms::{Happening, MotionError};
 use super::walker::Walker;
-use crate::planar::contact::kinematics::Pairing;
-use crate::planar::contact::separation::Bounds;
-use crate::planar::contact::touching::Few;
-use crate::planar::contact::world::Scales;
-use crate::planar::modes::mode::Forces;
-use crate::planar::modes::watch::{FEW_WATCHED, Watch, WatchList, Watched};
-use crate::planar::record::observer::{Observers, is_dense, wants_slips};
-use crate::planar::record::trace::PieceEnd;
-use crate::planar::{contact::World, geometry::Feature};
+use crate::planar::contact::{World, kinematics::Pairing, separation::Bounds, touching::Few, world::Scales};
+use crate::planar::geometry::Feature;
+use crate::planar::modes::{
+    mode::Forces,
+    watch::{FEW_WATCHED, Watch, WatchList, Watched},
+};
+use crate::planar::record::{
+    observer::{Observers, is_dense, wants_slips},
+    trace::PieceEnd,
+};
 use along::Along;
 use carom_impact::planar::Slip;
 use expansion::Given;

@@ -1,10 +1,13 @@
 //! The event functions of a mode as series, and where one of them falls first.
 
 use super::expansion::{Expansion, Spreads};
-use crate::planar::contact::kinematics::{Pairing, Turn};
-use crate::planar::contact::world::Scales;
+use crate::planar::contact::{
+    World,
+    kinematics::{Pairing, Turn},
+    world::Scales,
+};
+use crate::planar::geometry::Feature;
 use crate::planar::modes::watch::{Watch, Watched};
-use crate::planar::{contact::World, geometry::Feature};
 use crate::tolerance::LEAVES_DOWNWARD;
 use carom_impact::planar::Slip;
 use carom_num::Vec2;

@@ -5,17 +5,19 @@
 //! one direction, or where neither contact moves in the body.
 
 use super::Expanded;
-use crate::planar::contact::kinematics::{Kinematics, Turn};
-use crate::planar::contact::separation::Bounds;
-use crate::planar::contact::touching::Few;
-use crate::planar::contact::world::Scales;
-use crate::planar::modes::mode::Held;
-use crate::planar::modes::watch::{Watch, Watched};
-use crate::planar::walk::path::Stretch;
-use crate::planar::{
-    contact::World,
-    geometry::{Feature, State, Twist},
+use crate::planar::contact::{
+    World,
+    kinematics::{Kinematics, Turn},
+    separation::Bounds,
+    touching::Few,
+    world::Scales,
 };
+use crate::planar::geometry::{Feature, State, Twist};
+use crate::planar::modes::{
+    mode::Held,
+    watch::{Watch, Watched},
+};
+use crate::planar::walk::path::Stretch;
 use crate::tolerance::{KEEPS_ANGLE_ARM, ONE_DIRECTION_SINE};
 use carom_impact::planar::Slip;
 use carom_num::Vec2;
