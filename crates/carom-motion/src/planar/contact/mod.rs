@@ -4,6 +4,7 @@ mod between;
 pub(in crate::planar) mod clearance;
 mod joint;
 pub(in crate::planar) mod kinematics;
+mod nearest;
 mod overlap;
 pub(in crate::planar) mod separation;
 pub(in crate::planar) mod touching;

@@ -4,7 +4,8 @@
 //! before: then both are taken to that time, resolve what happens as one island, and fall apart again where nothing holds them together.
 //! So a body that meets no other moves, to the last bit, as if it were alone.
 
-use super::island::{Ahead, Island};
+use super::ahead::Ahead;
+use super::island::Island;
 use crate::evaluated::unless_lost;
 use crate::planar::contact::{World, world::Scales};
 use crate::planar::geometry::State;

@@ -1,5 +1,6 @@
 //! Bodies that touch each other move as one; bodies that do not, each for itself.
 
+use super::ahead::Ahead;
 use super::outlook::Outlook;
 use crate::planar::contact::{World, kinematics::Pairing};
 use crate::planar::geometry::{State, Twist};
@@ -10,7 +11,6 @@ use crate::planar::record::{
 use crate::planar::walk::{
     accumulation::Recent,
     collide::Closed,
-    path::{Course, Leg},
     terms::{Effort, Happening, Margin, MotionError, Options},
     walker::Walker,
 };
@@ -41,44 +41,6 @@ macro_rules! either {
 pub(super) struct Island<'w> {
     pub(super) members: Vec<usize>,
     walk: Walk<'w>,
-}
-
-/// What one smooth piece of an island's motion will bring.
-#[derive(Clone, Debug)]
-pub(super) struct Ahead {
-    /// When it ends [s]; infinite where it rests.
-    pub(super) end: f64,
-    path: Path,
-}
-
-#[derive(Clone, Debug)]
-enum Path {
-    Alone(Vec<Leg<1>>),
-    Together(Vec<Leg<MOST_TOGETHER>>),
-}
-
-fn on_legs<const B: usize>(legs: &[Leg<B>], place: usize, time: f64) -> State {
-    let leg = legs.iter().find(|l| time <= l.end()).or(legs.last());
-    leg.map(|l| l.at(time)[place]).unwrap_or_default()
-}
-
-impl Ahead {
-    /// The state of the member at this place of the island.
-    pub(super) fn state(&self, place: usize, time: f64) -> State {
-        match &self.path {
-            Path::Alone(legs) => on_legs(legs, place, time),
-            Path::Together(legs) => on_legs(legs, place, time),
-        }
-    }
-
-    /// Where the formulas of the motion change within a stretch of time.
-    pub(super) fn joints(&self, (from, until): (f64, f64)) -> Vec<f64> {
-        let within = |t: &f64| *t > from && *t < until;
-        match &self.path {
-            Path::Alone(legs) => legs.iter().map(Leg::end).filter(within).collect(),
-            Path::Together(legs) => legs.iter().map(Leg::end).filter(within).collect(),
-        }
-    }
 }
 
 /// A pair of features with other numbers of the bodies. Of two bodies the one with the lower number comes first, as everywhere.
@@ -160,16 +122,10 @@ impl<'w> Island<'w> {
 
     /// The next smooth piece, looked at beforehand.
     pub(super) fn ahead(&self) -> Result<Ahead, MotionError> {
-        Ok(match &self.walk {
-            Walk::Alone(walker) => {
-                let (end, legs) = piece_of(walker)?;
-                Ahead { end, path: Path::Alone(legs) }
-            }
-            Walk::Together(walker) => {
-                let (end, legs) = piece_of(walker)?;
-                Ahead { end, path: Path::Together(legs) }
-            }
-        })
+        match &self.walk {
+            Walk::Alone(walker) => Ahead::of_one(walker),
+            Walk::Together(walker) => Ahead::of_several(walker),
+        }
     }
 
     /// Moves through one smooth piece and resolves the event that ends it.
@@ -276,21 +232,6 @@ fn chosen<'o, 'x: 'o, const B: usize>(
         }
     }
     out
-}
-
-/// When the next piece of a walk ends, and its path.
-fn piece_of<const B: usize>(walker: &Walker<'_, B>) -> Result<(f64, Vec<Leg<B>>), MotionError> {
-    let rest =
-        || vec![Leg { start: walker.time, length: f64::INFINITY, course: Course::Rest(walker.states) }];
-    if walker.ended.is_some() {
-        return Ok((f64::INFINITY, rest()));
-    }
-    let mut trial = walker.clone();
-    trial.path = Some(vec![]);
-    trial.advance_all(&mut [const { None }; B])?;
-    let legs = trial.path.take().filter(|legs| !legs.is_empty());
-    // A piece without length is one that rests, or that an impact at the start has ended.
-    Ok((trial.time, legs.unwrap_or_else(rest)))
 }
 
 /// Moves a walk within its next piece.

@@ -1,5 +1,6 @@
 //! Several bodies, one after the other and against each other.
 
+mod ahead;
 mod crowd;
 mod encounter;
 mod island;
