@@ -102,7 +102,7 @@ fn a_part_lies_on_lines_and_arcs_beyond_which_nothing_of_it_is() {
             assert!(beyond <= hull.radius() + near, "{seed}: the hull leaves out {beyond:e}");
         }
         let rests = shape.rests();
-        for rest in &rests {
+        for rest in rests {
             let beyond = points.iter().map(|p| rest.normal.dot(*p)).fold(f64::NEG_INFINITY, f64::max);
             assert!((beyond - rest.depth).abs() <= CHORDS * shape.size(), "{seed}: {beyond} not {rest:?}");
             assert!(beyond <= rest.depth + near, "{seed}: {rest:?} cuts through the part");

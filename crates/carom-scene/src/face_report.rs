@@ -46,8 +46,8 @@ pub struct FaceReport {
 impl FaceReport {
     /// The faces of a shape, by their numbers; none of a disc, which lies alike on all its rim.
     pub fn of(shape: &Shape) -> Vec<Self> {
-        let numbered = shape.rests().into_iter().enumerate();
-        numbered.map(|(face, rest)| Self::new(face, &rest)).collect()
+        let numbered = shape.rests().iter().enumerate();
+        numbered.map(|(face, rest)| Self::new(face, rest)).collect()
     }
 
     fn new(face: usize, rest: &Rest) -> Self {

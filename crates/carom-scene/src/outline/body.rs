@@ -103,7 +103,7 @@ impl FileOutline {
 /// The point of a chain from which the part's faces are numbered, so that face 0 is the one that is `chosen` of them.
 pub(crate) fn starting_point(points: &[ChainPoint], shape: &Shape, chosen: fn(&[Rest]) -> usize) -> usize {
     let rests = shape.rests();
-    let Some(rest) = rests.get(chosen(&rests)) else { return 0 };
+    let Some(rest) = rests.get(chosen(rests)) else { return 0 };
     let (vertex, radius) = (shape.vertices()[rest.vertex], shape.radius_of(rest.vertex));
     // Its vertex is a corner of the chain, or the centre of an arc.
     let off = |i: usize| match points[i].arc_to(points[(i + 1) % points.len()].at) {
@@ -142,7 +142,7 @@ struct Report<'c> {
     /// In the file's size.
     chain: &'c Chain,
     /// In the scene's.
-    rests: Vec<Rest>,
+    rests: &'c [Rest],
     scale: f64,
 }
 

@@ -5,6 +5,7 @@ use super::wrap::{Support, turn};
 use crate::tolerance::{COINCIDENT_VERTICES, SHORTEST_SIDE, THINNEST};
 use carom_num::Vec2;
 use std::f64::consts::TAU;
+use std::sync::OnceLock;
 
 /// What of a shape lies below where it rests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +39,17 @@ pub struct Rest {
     /// By how much the shape can be tilted clockwise and counter-clockwise before it tips over [rad]: up to where the mass centre is highest. Zeros
     /// where it does not stay.
     pub basin: [f64; 2],
+}
+
+/// What a shape can lie on, once somebody has asked: it takes the square of its corners to find, and a part that rolls is asked at each strike.
+#[derive(Clone, Debug, Default)]
+pub(super) struct FoundRests(OnceLock<Vec<Rest>>);
+
+/// Two shapes are one, whoever has been asked.
+impl PartialEq for FoundRests {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl Rest {
@@ -99,7 +111,11 @@ impl Shape {
     /// assert_eq!(rests.iter().map(|rest| rest.is_face()).collect::<Vec<_>>(), [true, true, false, true, true]);
     /// assert_eq!((rests[2].from, rests[2].to), (Vec2::new(2.0, 0.0), Vec2::new(0.0, 1.0)));
     /// ```
-    pub fn rests(&self) -> Vec<Rest> {
+    pub fn rests(&self) -> &[Rest] {
+        self.rests.0.get_or_init(|| self.find_rests())
+    }
+
+    fn find_rests(&self) -> Vec<Rest> {
         let supports = self.supports();
         let mut found = if self.is_hull() {
             (0..self.faces()).map(|face| self.rest_on(face)).collect()

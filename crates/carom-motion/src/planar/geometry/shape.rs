@@ -1,5 +1,6 @@
 //! The one shape: a closed chain of arcs and segments.
 
+use super::rest::FoundRests;
 use super::shape_problem::{ShapeProblem, problems_of};
 use crate::tolerance::{COINCIDENT_VERTICES, ROD_SKIN};
 use carom_num::Vec2;
@@ -40,6 +41,7 @@ pub struct Shape {
     size: f64,
     /// A convex polygon around it, of a shape that is no evenly rounded hull itself.
     hull: Option<Box<Shape>>,
+    pub(super) rests: FoundRests,
 }
 
 /// Arcs and faces of a chain, in turn, while they are put together.
@@ -116,8 +118,9 @@ impl Shape {
         let reach = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
         let k = vertices.len();
         let (radii, hollow) = (vec![radius; k], vec![false; k]);
-        let (size, hull) = (reach + radius, None);
-        let mut shape = Self { vertices, radii, hollow, reach, size, normals: vec![], lengths: vec![], hull };
+        let (size, normals, lengths) = (reach + radius, vec![], vec![]);
+        let rests = FoundRests::default();
+        let mut shape = Self { vertices, radii, hollow, reach, size, normals, lengths, hull: None, rests };
         for face in 0..shape.faces() {
             let (a, b) = shape.face(face);
             let length = (b - a).norm();
@@ -143,7 +146,9 @@ impl Shape {
         if even && lengths.iter().all(|l| *l > 0.0) {
             return Self::of_checked(vertices, radii[0]);
         }
-        let mut shape = Self { vertices, radii, hollow, normals, lengths, reach, size: reach, hull: None };
+        let rests = FoundRests::default();
+        let mut shape =
+            Self { vertices, radii, hollow, normals, lengths, reach, size: reach, hull: None, rests };
         shape.size = shape.farthest();
         shape.hull = Some(Box::new(Self::of_checked(shape.cover(), 0.0)));
         shape

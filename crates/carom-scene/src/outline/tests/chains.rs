@@ -196,7 +196,7 @@ fn an_outline_of_very_many_corners_is_thinned_out() {
 fn face_0_is_the_longest_then_the_lowest_then_the_rightmost() {
     let first = |list: &[(f64, f64)], radius: f64| {
         let corners = list.iter().map(|(x, y)| Vec2::new(*x, *y)).collect();
-        first_face(&carom_motion::planar::Shape::new(corners, radius).unwrap().rests())
+        first_face(carom_motion::planar::Shape::new(corners, radius).unwrap().rests())
     };
     assert_eq!(first(&[(1.0, 0.0), (1.0, 5.0), (0.0, 5.0), (0.0, 0.0)], 0.0), 0, "the right one of two");
     assert_eq!(first(&[(0.0, 2.0), (0.0, 0.0), (3.0, 0.0), (3.0, 2.0)], 0.0), 1, "the lower one of two");
