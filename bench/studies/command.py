@@ -46,13 +46,14 @@ def call(carom, *words, out):
     begun = time.perf_counter()
     with open(answer, "wb") as file:
         command = [str(carom), *map(str, words), "--format", "json", "--out", str(place)]
-        child = subprocess.Popen(command, stdout=file)
+        child = subprocess.Popen(command, stdout=file, stderr=subprocess.PIPE)
+        told = child.stderr.read()
         # Peak memory of this child alone, which only waiting for it by number tells.
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
     seconds = time.perf_counter() - begun
     if child.returncode != 0:
-        raise SystemExit(f"{' '.join(command)}: exit {child.returncode}")
+        raise SystemExit(f"{' '.join(command)}: exit {child.returncode}\n{told.decode(errors='replace')}")
     said = json.loads(answer.read_text())
     # Linux counts in kibibytes, macOS in bytes.
     unit = 1 if os.uname().sysname == "Darwin" else 1024
