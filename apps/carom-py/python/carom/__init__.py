@@ -2,7 +2,8 @@
 
 One question at a time: :func:`run` a scene, resolve an :func:`impact`, ask what :func:`contact` forces are consistent, follow what can
 :func:`roll`, find a :func:`yield_` or a :func:`design`, draw a :func:`map` or :func:`regions`, :func:`feed` many parts, :func:`fit`
-what was observed. By the million: :func:`drops`, :func:`impacts` and :func:`impact_batch` take arrays. In closed form: :func:`derive`.
+what was observed. By the million: :func:`drops`, :func:`impacts` and :func:`impact_batch` take arrays. In closed form: :func:`derive`. In a
+notebook: :func:`studio`, to drag and see.
 
 All values are SI, in a world with x to the right and y up; angles and spins are counter-clockwise. Text may carry other units: ``"12 deg"``.
 
