@@ -158,3 +158,15 @@ fn the_distance_of_two_outlines_is_that_of_their_nearest_points() {
     }
     assert!(judged > 200 && curved > 100, "{judged} pairs, {curved} of them with arcs");
 }
+
+/// What a part can lie on is kept once it is found; about another mass centre it is another.
+#[test]
+fn a_shape_that_is_shifted_lies_as_one_that_was_never_asked() {
+    let corners = [(-0.03, -0.01), (0.03, -0.01), (0.03, 0.01), (-0.03, 0.01)].map(|(x, y)| Vec2::new(x, y));
+    let (asked, by) = (Shape::new(corners.to_vec(), 0.002).unwrap(), Vec2::new(0.01, -0.004));
+    let before = asked.rests().to_vec();
+    let shifted = asked.shifted(by);
+    assert_eq!(shifted.rests(), Shape::new(corners.to_vec(), 0.002).unwrap().shifted(by).rests());
+    assert_ne!(shifted.rests(), before, "its mass centre is elsewhere");
+    assert_eq!(asked.clone().rests(), before, "a copy lies as it does");
+}

@@ -53,7 +53,18 @@ pub fn shown(values: &[f64; 5], may_halve: bool) -> Shown {
     if may_halve && quartic.highest > RESOLVED_SHAPE * largest && !quartic.certainly_falls() {
         return Shown::Doubtful;
     }
-    quartic.first_fall().map_or(Shown::Stays, Shown::Falls)
+    match quartic.first_fall() {
+        // What leaves zero as a higher power does is positive at the first node: the quartic alone dips before it.
+        Some(x) if values[0] == 0.0 && x < NODES[1] && values[1] > 0.0 => {
+            if may_halve {
+                Shown::Doubtful
+            } else {
+                Shown::Stays
+            }
+        }
+        Some(x) => Shown::Falls(x),
+        None => Shown::Stays,
+    }
 }
 
 /// The first fall of one of several functions.
@@ -99,7 +110,11 @@ fn fall_in<V: Vector>(
 ) -> Option<Fall> {
     let (mut first, mut doubtful) = (None::<Fall>, false);
     for i in 0..V::COUNT {
-        match shown(&std::array::from_fn(|node| values[node].at(i)), depth < MOST_HALVINGS) {
+        let own: [f64; 5] = std::array::from_fn(|node| values[node].at(i));
+        let finite = own.iter().filter(|value| value.is_finite()).count();
+        // It may fall where it still is a number.
+        doubtful |= 0 < finite && finite < own.len() && depth < MOST_HALVINGS;
+        match shown(&own, depth < MOST_HALVINGS) {
             Shown::Stays => {}
             Shown::Falls(x) => {
                 let at = from + (to - from) * x;
@@ -132,7 +147,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a failure is a failed test")]
 
     use super::*;
-    use crate::elementary::cos;
+    use crate::elementary::{cos, pow};
 
     #[test]
     fn the_first_of_many_falls_is_found() {
@@ -153,10 +168,20 @@ mod tests {
     #[test]
     fn what_rises_from_zero_does_not_fall() {
         assert_eq!(first_fall(&mut |x| [x * (2.0 - x)]), None);
+        for power in [1.5, 2.0, 2.1, 2.5, 2.9, 3.0] {
+            for size in [1e-9, 0.3, 7.0] {
+                let rises = first_fall(&mut |x| [size * pow(x, power)]);
+                assert_eq!(rises, None, "x to the power {power}, times {size}");
+            }
+            let falls = first_fall(&mut |x| [pow(x, power) * (0.25 - x)]).unwrap();
+            assert!((falls.at - 0.25).abs() < 1e-6, "power {power}: {falls:?}");
+        }
     }
 
     #[test]
-    fn what_is_no_number_is_not_seen_to_fall() {
-        assert_eq!(first_fall(&mut |x| [if x > 0.5 { f64::NAN } else { 1.0 - 3.0 * x }]), None);
+    fn a_function_falls_while_it_is_a_number() {
+        let fall = first_fall(&mut |x| [if x > 0.5 { f64::NAN } else { 1.0 - 3.0 * x }]).unwrap();
+        assert!((fall.at - 1.0 / 3.0).abs() < 1e-9, "{fall:?}");
+        assert_eq!(first_fall(&mut |_| [f64::NAN]), None);
     }
 }

@@ -173,7 +173,7 @@ fn monotone_root(bernstein: &[f64; 5]) -> f64 {
         let newton = x - value / slope;
         // Where it has arrived it may stand on an end of its bracket.
         if (newton - x).abs() < QUARTIC_ARRIVED {
-            return newton;
+            return newton.clamp(0.0, 1.0);
         }
         x = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
     }

@@ -238,6 +238,18 @@ fn feet_that_share_their_friction_let_go_together() {
     }
 }
 
+/// Friction holds both contacts from the start: what is left of their cones begins at zero, and leaves it as the springs' loads do.
+#[test]
+fn contacts_that_stick_from_the_start_do_so_whatever_the_exponent() {
+    let touches =
+        [0.3, -0.25].map(|x| Touch { friction: 2.0, restitution: 0.5, ..touch((x, -1.0), (0.0, 1.0)) });
+    let set = ContactSet::<2, 4>::of_free_body(1.0, 0.4, Vec2::new(0.0, -2.0), 0.0, &touches).unwrap();
+    for exponent in [1.0, 1.5, 2.0, 2.1, 2.5, 2.9, 3.0] {
+        let left = left_over(&set, 2.0, exponent);
+        assert!(left > 0.0 && left < 1.0, "{exponent}: {left} of the energy is left");
+    }
+}
+
 /// Bodies on up to six contacts, flat and wedged: of 600 all end, and none gains energy.
 #[test]
 fn random_contacts_come_to_an_end() {
@@ -253,7 +265,8 @@ fn random_contacts_come_to_an_end() {
         let (velocity, spin) = (Vec2::new(2.0 * at[0] - 1.0, -at[1]), 2.0 * at[2] - 1.0);
         let set = ContactSet::<6, 12>::of_free_body(1.0, 0.3, velocity, spin, &touches).unwrap();
         let energy = 0.5 * (velocity.dot(velocity) + 0.3 * spin * spin);
-        let left = left_over(&set, energy, if at[3] > 0.5 { 1.0 } else { 1.5 });
+        let exponent = [1.0, 1.5, 2.0, 2.5, 3.0][case as usize % 5];
+        let left = left_over(&set, energy, exponent);
         assert!((-1e-9..=1.0 + 1e-9).contains(&left), "{count} contacts: {left} of the energy is left");
     }
 }

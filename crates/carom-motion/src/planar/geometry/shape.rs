@@ -208,7 +208,8 @@ impl Shape {
         let hull = self.hull.as_ref().map(|hull| Box::new(hull.shifted(by)));
         let vertices: Vec<Vec2> = self.vertices.iter().map(|v| *v + by).collect();
         let reach = vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
-        let mut out = Self { vertices, reach, hull, ..self.clone() };
+        // What it can lie on depends on where its mass centre is.
+        let mut out = Self { vertices, reach, hull, rests: FoundRests::default(), ..self.clone() };
         out.size = out.farthest();
         out
     }
