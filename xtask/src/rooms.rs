@@ -1,6 +1,8 @@
 //! Which room of a crate may use which: arrows within crates.
 //!
-//! A room is a folder, and stands at a height; what it names by `crate::` stands lower, or is itself. Tests may look anywhere.
+//! A room is a folder, and stands at a height; what it names by `crate::` stands lower, or is itself. It names one thing after the other from the
+//! house on, so that a reader sees the room: neither all that there is, nor by another name, nor by `super::` out of its own room. Tests may look
+//! anywhere.
 
 use crate::{source, tree};
 use std::path::Path;
@@ -47,24 +49,38 @@ pub(crate) fn faults(root: &Path) -> Result<Vec<String>, String> {
     let mut found = vec![];
     let files = tree::files(root)?;
     for house in &HOUSES {
-        for (file, room) in files.iter().filter_map(|file| Some((file, house.room(file)?))) {
+        for (file, place) in files.iter().filter_map(|file| Some((file, house.place(file)?))) {
             let text = tree::text(root, file)?.unwrap_or_default();
-            found.extend(house.faults(room, &text).into_iter().map(|fault| format!("{file}: {fault}")));
+            found.extend(house.faults(place, &text).into_iter().map(|fault| format!("{file}: {fault}")));
         }
     }
     Ok(found)
 }
 
 impl House {
-    /// The room that a file is in. Files beside the rooms open them to the outside, and name what they like.
-    fn room(&self, file: &str) -> Option<(&'static str, u8)> {
+    /// The room that a file is in, and how deep. Files beside the rooms open them to the outside, and name what they like; so do tests.
+    fn place<'f>(&self, file: &'f str) -> Option<(&'f str, usize)> {
         let within = file.strip_prefix(self.folder)?.strip_prefix('/')?;
-        let (room, _) = within.split_once('/')?;
-        self.rooms.iter().copied().find(|(name, _)| *name == room).filter(|_| file.ends_with(".rs"))
+        let (room, rest) = within.split_once('/')?;
+        let folders = rest.matches('/').count();
+        let is_test = rest.ends_with("tests.rs") || rest.contains("tests/");
+        // A folder's own file is the folder.
+        let depth = if rest.ends_with("mod.rs") { folders } else { folders + 1 };
+        (file.ends_with(".rs") && !is_test).then_some((room, depth))
     }
 
-    fn faults(&self, (room, height): (&str, u8), text: &str) -> Vec<String> {
+    fn faults(&self, (room, depth): (&str, usize), text: &str) -> Vec<String> {
+        let Some((_, height)) = self.rooms.iter().find(|(name, _)| *name == room) else {
+            return vec![format!(
+                "{room} is no room of {}: give it a height in xtask/src/rooms.rs",
+                self.folder
+            )];
+        };
+        let height = *height;
         let code = source::code_without_tests(text);
+        if let Some(why) = self.roundabout(depth, &code) {
+            return vec![why];
+        }
         let named = named_after(&code, self.path);
         let fault = |name: &&str| match self.rooms.iter().find(|(other, _)| other == name) {
             Some((other, _)) if *other == room => None,
@@ -74,6 +90,24 @@ impl House {
             None => Some(format!("{room} -> {name}: name the room that it is in")),
         };
         named.iter().filter_map(fault).collect()
+    }
+
+    /// A way of naming things by which the room does not show.
+    fn roundabout(&self, depth: usize, code: &str) -> Option<String> {
+        let closed = self.path.trim_end_matches("::");
+        let out = "super::".repeat(depth + 1);
+        let whole = ["*", " as "].map(|end| format!("{}{end}", if end == "*" { self.path } else { closed }));
+        let alone = format!("{closed};");
+        let in_group = closed.strip_prefix("crate::").is_some_and(|name| {
+            code.split("crate::{").skip(1).any(|group| first_words(group).contains(&name))
+        });
+        if code.contains(&out) {
+            return Some("super:: leads out of the room: name the other by crate::".to_owned());
+        }
+        if in_group || whole.iter().chain([&alone]).any(|taken| code.contains(taken.as_str())) {
+            return Some(format!("{closed} is taken as a whole: name what is used, room by room"));
+        }
+        None
     }
 }
 
@@ -124,8 +158,7 @@ mod tests {
 
     fn planar(room: &str, text: &str) -> Vec<String> {
         let house = &HOUSES[1];
-        let own = house.room(&format!("{}/{room}/a.rs", house.folder)).unwrap();
-        house.faults(own, text)
+        house.faults((room, 1), text)
     }
 
     #[test]
@@ -151,11 +184,37 @@ mod tests {
     #[test]
     fn space_does_not_know_the_plane() {
         let house = &HOUSES[0];
-        let spatial = house.room("crates/carom-impact/src/spatial/walk.rs").unwrap();
+        let spatial = house.place("crates/carom-impact/src/spatial/walk.rs").unwrap();
         assert!(
             house.faults(spatial, "use crate::{Law, spatial::Contact, tolerance::RANK};").is_empty(),
             "its own"
         );
         assert_eq!(house.faults(spatial, "use crate::planar::Slip;").len(), 1, "the plane's");
+    }
+
+    #[test]
+    fn no_way_round_shows_less() {
+        for text in [
+            "use crate::planar::*;",
+            "use crate::planar as plane;",
+            "use crate::planar;",
+            "use crate::{planar::several::Crowd, tolerance::INSTANT};",
+            "use super::super::several::Crowd;",
+        ] {
+            assert_eq!(planar("geometry", text).len(), 1, "{text}");
+        }
+        assert!(
+            planar("geometry", "use crate::planar::geometry::State;\nuse crate::{evaluated::lost, tolerance::INSTANT};\nuse super::Shape;")
+                .is_empty(),
+            "its own"
+        );
+        let house = &HOUSES[1];
+        assert_eq!(house.place("crates/carom-motion/src/planar/walk/series/along.rs"), Some(("walk", 2)));
+        assert_eq!(
+            house.place("crates/carom-motion/src/planar/walk/series/tests.rs"),
+            None,
+            "tests look anywhere"
+        );
+        assert_eq!(house.faults(("cellar", 1), "").len(), 1, "a folder without a height");
     }
 }

@@ -53,8 +53,9 @@ def test_another_file_is_shown_at_once() -> None:
     studio = carom.studio(CASE)
     heard: list[str] = []
     studio.observe(lambda change: heard.append(change["name"]), ["name", "text", "files", "height"])
+    studio.observe(lambda _: heard.append(studio.scene.name), "text")
     studio.show(BRACKET)
-    assert sorted(heard) == ["files", "name", "text"]
+    assert sorted(heard) == ["bracket", "files", "name", "text"]
     assert carom.run(studio.scene) == carom.run(BRACKET)
 
 

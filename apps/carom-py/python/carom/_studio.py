@@ -82,7 +82,7 @@ class Studio(anywidget.AnyWidget):
     text = traitlets.Unicode("").tag(sync=True)
     """Its text, as it is in the page now; a new one is shown there. ``observe(function, "text")`` hears of every change."""
     files = traitlets.Dict(value_trait=traitlets.Unicode(), key_trait=traitlets.Unicode()).tag(sync=True)
-    """The files that the text names."""
+    """The files that the text names, as :meth:`show` read them. A text that names others needs :meth:`show`."""
     height = traitlets.Int(640, min=LOWEST, max=HIGHEST).tag(sync=True)
     """Its height [px]."""
 
@@ -97,7 +97,8 @@ class Studio(anywidget.AnyWidget):
 
     def show(self, file: FileLike | Scene) -> None:
         """Opens another file in it."""
-        with self.hold_sync():
+        # Who observes one of the three sees all of them new, and the page gets one message.
+        with self.hold_sync(), self.hold_trait_notifications():
             for key, value in taken(file).items():
                 setattr(self, key, value)
 

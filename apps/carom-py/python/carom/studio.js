@@ -1,6 +1,6 @@
 // The widget's side in a notebook: the studio's page in a frame, and the file between both.
 //
-// The kernel sends the page once to each view, as a message: it is larger than what a saved notebook should keep.
+// The kernel sends the page when a view asks for it, as a message: it is larger than what a saved notebook should keep.
 
 /** The file that the widget has. */
 const file = (model) => ({ name: model.get("name"), text: model.get("text"), files: model.get("files") });
@@ -26,8 +26,9 @@ function render({ model, el }) {
     port?.postMessage(now);
   };
   // A frame that is moved within its page is loaded again, and is given the file again.
-  frame.addEventListener("load", () => {
+  const loaded = () => {
     if (frame.srcdoc === "") return;
+    port?.close();
     const channel = new MessageChannel();
     port = channel.port1;
     known = "";
@@ -38,7 +39,8 @@ function render({ model, el }) {
     };
     frame.contentWindow.postMessage({ carom: "host" }, "*", [channel.port2]);
     told();
-  });
+  };
+  frame.addEventListener("load", loaded);
 
   const came = (message, buffers) => {
     if (message.carom !== "page" || frame.srcdoc !== "") return;
@@ -62,6 +64,7 @@ function render({ model, el }) {
     model.off("msg:custom", came);
     model.off("change:height", sized);
     KEYS.forEach((key) => model.off(`change:${key}`, soon));
+    frame.removeEventListener("load", loaded);
     port?.close();
   };
 }

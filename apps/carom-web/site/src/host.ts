@@ -17,22 +17,36 @@ const port: Promise<MessagePort> = new Promise((got) => {
   });
 });
 
-let hear: (doc: Doc) => void = () => undefined;
+/** The newest file of the page around that nobody has taken yet, and who waits for one. */
+let newest: Doc | undefined;
+let hear: (() => void) | undefined;
+
+/** The newest file that came and was not taken; undefined where none is. */
+export function taken(): Doc | undefined {
+  const doc = newest;
+  newest = undefined;
+  return doc;
+}
 
 /** The file that the page around gives first. */
 export async function given(): Promise<Doc> {
   const at = await port;
-  return new Promise((first) => {
-    hear = first;
-    at.onmessage = ({ data }: MessageEvent<unknown>) => {
-      if (isDoc(data)) hear(data);
-    };
-  });
+  const first = new Promise<void>((came) => (hear = came));
+  at.onmessage = ({ data }: MessageEvent<unknown>) => {
+    if (!isDoc(data)) return;
+    newest = data;
+    hear?.();
+  };
+  await first;
+  const doc = taken();
+  if (doc === undefined) throw new Error("the page around gave no file");
+  return doc;
 }
 
-/** What is done with each file that comes later. */
-export function later(then: (doc: Doc) => void): void {
+/** What is done whenever a file has come, also one that came meanwhile. */
+export function later(then: () => void): void {
   hear = then;
+  if (newest !== undefined) then();
 }
 
 /** Tells the page around what the file is now. */

@@ -3,7 +3,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { Engine, EngineDied } from "./engine/engine";
 import type { Ask, Change, Doc, Failure, Frame, Limit, Pair, Quantity, Reply, Window } from "./engine/protocol";
-import { given as byHost, hosted, later, tell } from "./host";
+import { given as byHost, hosted, later, taken, tell } from "./host";
 import { docOf, linkOf, served } from "./link";
 import { lessonOf } from "./lessons/lessons";
 import { first } from "./scenes";
@@ -316,24 +316,52 @@ export async function begin(): Promise<void> {
   } catch {
     notice.value = "The link is damaged: it holds no scene that can be read. Here is an example instead.";
   }
-  await begun(start);
+  await openAsText(start, "replace");
   if (!hosted) return;
-  later((next) => void follow(next));
-  effect(() => void tell(doc.value));
+  known = start;
+  later(() => (following ??= follow()));
+  effect(tellChange);
 }
 
-/** Opens the first file. One with problems is shown as text, with its problems. */
-async function begun(start: Doc): Promise<void> {
-  if ((await open(start, "replace")) || start === first) return;
+/** Opens a file. One with problems is shown as text, with its problems, beside the last picture there is. */
+async function openAsText(next: Doc, keep: "remember" | "replace"): Promise<void> {
+  if ((await open(next, keep)) || next === first) return;
   const wrong = failure.value;
-  await open(first, "replace");
-  [doc.value, failure.value] = [{ ...doc.value, name: start.name, files: start.files }, wrong === undefined ? undefined : { ...wrong, tried: "text" }];
-  broken.value = start.text;
+  if (windowNow() === undefined) await open(first, "replace");
+  [doc.value, failure.value] = [{ ...doc.value, name: next.name, files: next.files }, wrong === undefined ? undefined : { ...wrong, tried: "text" }];
+  broken.value = next.text;
 }
 
-/** Takes a file that the page around changed. */
-async function follow({ name, text, files }: Doc): Promise<void> {
-  const here = doc.value;
-  if (name !== here.name || JSON.stringify(files) !== JSON.stringify(here.files)) await open({ name, text, files });
-  else await typed(text);
+/** What the page around knows: the file that it gave last, or was told last. */
+let known: Doc | undefined;
+const same = (a: Doc, b: Doc): boolean => a.name === b.name && a.text === b.text && JSON.stringify(a.files) === JSON.stringify(b.files);
+
+/** Tells the page around of a change that it does not know. A text with problems stays here, and so does what is on its way to a newer file. */
+function tellChange(): void {
+  const [now, text] = [doc.value, broken.value];
+  if (following !== undefined || text !== undefined || known === undefined || same(now, known)) return;
+  known = now;
+  void tell(now);
+}
+
+/** The files of the page around are being followed. */
+let following: Promise<void> | undefined;
+
+/** Takes the files that the page around gave, one after the other; of those that came meanwhile, the newest. */
+async function follow(): Promise<void> {
+  for (let next = taken(); next !== undefined; next = taken()) {
+    await settled();
+    known = next;
+    const here = doc.value;
+    const another = next.name !== here.name || JSON.stringify(next.files) !== JSON.stringify(here.files);
+    if (!another) {
+      await typed(next.text);
+      continue;
+    }
+    // Who set another file there has decided already.
+    takeBack();
+    await openAsText({ name: next.name, text: next.text, files: next.files }, "remember");
+  }
+  following = undefined;
+  tellChange();
 }

@@ -114,3 +114,36 @@ test("a cell that is moved shows the same file again; one that is closed hears n
   assert.match(await headline(frame), /same side/);
   assert.deepEqual(complaints, []);
 });
+
+test("a first file with problems stays what it is outside, and one that comes while the page starts is not lost", async () => {
+  const { page: outer, complaints } = await page();
+  const good = await example("case_2.toml");
+  const broken = good.replace("friction", "fricton");
+  const again = async (first) => {
+    await outer.evaluate(() => globalThis.cell.replaceChildren());
+    await set(outer, { name: "mine.toml", text: first, files: {} });
+    await outer.evaluate(() => (globalThis.close = globalThis.show()));
+  };
+  await again(broken);
+  const frame = await inner(outer);
+  await frame.waitForFunction(() => document.querySelector(".told .problems, .source .problems")?.textContent.includes("fricton"));
+  assert.equal(await text(outer), broken);
+  await set(outer, { text: good });
+  await until(frame, "turned on “lower”");
+  assert.equal(await text(outer), good);
+  await outer.evaluate(() => globalThis.close());
+  // The frame has been given the first text, and has not answered yet.
+  await again(good);
+  const next = await inner(outer);
+  await next.waitForFunction(() => document.querySelector(".opening, .studio") !== null);
+  const slow = good.replace(FRICTION, "$10.01");
+  await set(outer, { text: slow });
+  await until(next, "same side");
+  // Three in a row: the last one stays, and none of the others is told back.
+  for (const friction of ["0.12", "0.13", "0.15"]) await set(outer, { text: good.replace(FRICTION, `$1${friction}`) });
+  await until(next, "turned on “lower”");
+  await outer.waitForTimeout(300);
+  assert.match(await text(outer), /friction += 0\.15\n/);
+  await outer.evaluate(() => globalThis.close());
+  assert.deepEqual(complaints, []);
+});
