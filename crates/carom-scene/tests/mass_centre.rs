@@ -134,3 +134,15 @@ fn a_rod_whose_mass_is_at_its_tail_overhangs_farther() {
         assert!(rod(x) < 1e-9, "tips about the edge with its mass centre over it");
     }
 }
+
+/// The faces are those about the mass centre that the scene gives, and so is the pose in which the part starts.
+#[test]
+fn a_box_with_its_mass_elsewhere_lies_by_its_own_centre() {
+    let part = "shape = \"box\"\nlength = \"60 mm\"\nheight = \"20 mm\"\nmass = 1\ninertia = \"400 kg mm^2\"\nmass_centre = [\"10 mm\", \"4 mm\"]";
+    let off = scene(part);
+    let shape = &off.feeder().part.body.shape;
+    let heights: Vec<f64> = shape.rests().iter().map(|rest| rest.depth).collect();
+    for (face, (height, wanted)) in heights.iter().zip([0.014, 0.020, 0.006, 0.040]).enumerate() {
+        assert!((height - wanted).abs() < TOLERANCE, "face {face}: {height} m above it, not {wanted}");
+    }
+}
