@@ -96,15 +96,14 @@ impl House {
     fn roundabout(&self, depth: usize, code: &str) -> Option<String> {
         let closed = self.path.trim_end_matches("::");
         let out = "super::".repeat(depth + 1);
-        let whole = ["*", " as "].map(|end| format!("{}{end}", if end == "*" { self.path } else { closed }));
-        let alone = format!("{closed};");
+        let whole = ["::*", " as ", ";"].map(|end| format!("{closed}{end}"));
         let in_group = closed.strip_prefix("crate::").is_some_and(|name| {
             code.split("crate::{").skip(1).any(|group| first_words(group).contains(&name))
         });
         if code.contains(&out) {
             return Some("super:: leads out of the room: name the other by crate::".to_owned());
         }
-        if in_group || whole.iter().chain([&alone]).any(|taken| code.contains(taken.as_str())) {
+        if in_group || whole.iter().any(|taken| code.contains(taken.as_str())) {
             return Some(format!("{closed} is taken as a whole: name what is used, room by room"));
         }
         None

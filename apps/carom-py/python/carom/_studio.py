@@ -33,7 +33,7 @@ def page() -> bytes:
 
 
 def drawn_by(text: str, beside: Path) -> dict[str, str]:
-    """The files that a text names, as the page takes them; one that is no text has a letter for each byte."""
+    """The files that a text names, as the page takes them."""
     try:
         tables = tomllib.loads(text).values()
     except tomllib.TOMLDecodeError:
@@ -44,14 +44,19 @@ def drawn_by(text: str, beside: Path) -> dict[str, str]:
     return {name: letters(name, file.read_bytes()) for name, file in found.items() if file.is_file()}
 
 
+def coding(name: str) -> str:
+    """How the page writes the bytes of a file as text: a surface is no text, and has a letter for each byte."""
+    return "latin-1" if name.lower().endswith(".stl") else "utf-8"
+
+
 def letters(name: str, content: bytes) -> str:
     """A file as the page takes it."""
-    return content.decode("latin-1") if name.lower().endswith(".stl") else content.decode("utf-8", "replace")
+    return content.decode(coding(name), "replace")
 
 
 def content_of(name: str, text: str) -> bytes:
     """The file again."""
-    return text.encode("latin-1" if name.lower().endswith(".stl") else "utf-8", "replace")
+    return text.encode(coding(name), "replace")
 
 
 def named(file: str) -> str:

@@ -318,7 +318,7 @@ export async function begin(): Promise<void> {
   }
   await openAsText(start, "replace");
   if (!hosted) return;
-  known = start;
+  outside = start;
   later(() => (following ??= follow()));
   effect(tellChange);
 }
@@ -333,14 +333,14 @@ async function openAsText(next: Doc, keep: "remember" | "replace"): Promise<void
 }
 
 /** What the page around knows: the file that it gave last, or was told last. */
-let known: Doc | undefined;
-const same = (a: Doc, b: Doc): boolean => a.name === b.name && a.text === b.text && JSON.stringify(a.files) === JSON.stringify(b.files);
+let outside: Doc | undefined;
+const sameButText = (a: Doc, b: Doc): boolean => a.name === b.name && JSON.stringify(a.files) === JSON.stringify(b.files);
 
 /** Tells the page around of a change that it does not know. A text with problems stays here, and so does what is on its way to a newer file. */
 function tellChange(): void {
   const [now, text] = [doc.value, broken.value];
-  if (following !== undefined || text !== undefined || known === undefined || same(now, known)) return;
-  known = now;
+  if (following !== undefined || text !== undefined || outside === undefined || (now.text === outside.text && sameButText(now, outside))) return;
+  outside = now;
   void tell(now);
 }
 
@@ -351,16 +351,14 @@ let following: Promise<void> | undefined;
 async function follow(): Promise<void> {
   for (let next = taken(); next !== undefined; next = taken()) {
     await settled();
-    known = next;
-    const here = doc.value;
-    const another = next.name !== here.name || JSON.stringify(next.files) !== JSON.stringify(here.files);
-    if (!another) {
+    outside = next;
+    if (sameButText(next, doc.value)) {
       await typed(next.text);
-      continue;
+    } else {
+      // Who set another file there has decided already.
+      takeBack();
+      await openAsText({ name: next.name, text: next.text, files: next.files }, "remember");
     }
-    // Who set another file there has decided already.
-    takeBack();
-    await openAsText({ name: next.name, text: next.text, files: next.files }, "remember");
   }
   following = undefined;
   tellChange();

@@ -1,8 +1,8 @@
 //! Several bodies that meet, each other or what does not yield: their contacts as one set, and the bodies after it.
 
-use super::set::outside;
 use super::{ContactSet, RigidBody, Touch};
 use crate::ImpactError;
+use crate::error::outside;
 use carom_num::{Mat3, Vec3};
 
 /// A contact of a body with another one, or with what does not yield.

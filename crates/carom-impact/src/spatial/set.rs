@@ -2,6 +2,7 @@
 
 use super::{MOST_EXAMINED, Meeting};
 use crate::ImpactError;
+use crate::error::outside;
 use crate::tolerance::{INERTIA_EQUALITY, UNIT_LENGTH};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
@@ -73,15 +74,6 @@ pub struct ContactSet<const N: usize> {
     pub friction: [f64; N],
     /// Coefficients of restitution.
     pub restitution: [f64; N],
-}
-
-pub(super) fn outside(
-    contact: Option<usize>,
-    quantity: &'static str,
-    value: f64,
-    allowed: &'static str,
-) -> ImpactError {
-    ImpactError::OutsideDomain { contact, quantity, value, allowed }
 }
 
 impl RigidBody {
