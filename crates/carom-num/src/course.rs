@@ -1,49 +1,84 @@
 //! A smooth course, followed to its first event.
 //!
-//! A [`Course`] is a system of equations and the functions that are positive as long as they hold. [`follow`] makes steps of
-//! [order 8](crate::ode8), looks for the [first fall](crate::falls) of an event function on the dense output of each, and steps TO the event: the end is that
-//! of a step, not of an interpolant.
+//! A [`Course`] is a system of equations and the functions that are positive as long as they hold. [`follow`] makes [steps](step) of [order 8](crate::ode8)
+//! within a tolerance, asks the course for the first event in the dense output of each, and steps TO the event: the end is that of a step, not of an
+//! interpolant.
 
-use crate::falls::first_fall;
+mod reach;
+
+pub use reach::{Found, placed};
+
 use crate::ode8::{Step, Trial, Vector, length_factor, step_plain};
-use crate::tolerance::{EVENT_ARRIVED, EVENT_ASTRAY, EVENT_SECANT};
+use reach::reach;
 
-/// Secants, or steps of Newton's method, to an event.
-const MOST_CORRECTIONS: u32 = 8;
 /// What a step is multiplied by whose error is no number.
 const LOST_STEP: f64 = 0.2;
 
 /// Equations and what ends them.
+///
+/// The methods take the course itself, so that it may count what it does, keep what it has seen, and show its steps.
 ///
 /// # Example
 /// See [`follow`].
 pub trait Course {
     /// The state.
     type Y: Vector;
-    /// Values of all event functions.
-    type Events: Vector;
+    /// What may happen.
+    type Event: Copy;
     /// How the course may end without an event.
     type End;
 
     /// The derivative of a state.
-    fn rate(&self, y: &Self::Y) -> Self::Y;
+    fn rate(&mut self, y: &Self::Y) -> Self::Y;
 
-    /// The event functions: positive, or leaving zero upwards, as long as the equations hold. One that is no number is not looked at.
-    fn events(&self, y: &Self::Y) -> Self::Events;
+    /// The derivative at the end of a step that is good enough: the same, unless more is wanted there.
+    fn end_rate(&mut self, y: &Self::Y) -> Self::Y {
+        self.rate(y)
+    }
 
-    /// How fast an event function changes along the course, where that is known; else secants find it.
-    fn slope(&self, _event: usize, _y: &Self::Y) -> Option<f64> {
+    /// The first event within a step.
+    ///
+    /// # Errors
+    /// [`Lost::Number`] where an event function is no number that should be one.
+    fn first_event(&mut self, step: &Step<Self::Y>) -> Result<Option<Found<Self::Event>>, Lost>;
+
+    /// The function of an event, this long after the start of the present step: positive, or leaving zero upwards, until the event.
+    fn value(&mut self, event: &Self::Event, after: f64, y: &Self::Y) -> f64;
+
+    /// How fast that function changes along the course, where that is known; else secants find it.
+    fn slope(&mut self, _event: &Self::Event, _after: f64, _y: &Self::Y) -> Option<f64> {
         None
     }
 
-    /// The end of the course where no step has to be made any more, because it is known in another way. Asked before each step.
-    fn end(&self, _y: &Self::Y, _rate: &Self::Y) -> Option<Self::End> {
+    /// The end of the course where no step has to be made any more. Asked before each step.
+    fn end(&mut self, _y: &Self::Y, _rate: &Self::Y) -> Option<Self::End> {
         None
     }
 
-    /// The longest step to try from a state.
-    fn longest(&self, _y: &Self::Y, _rate: &Self::Y) -> f64 {
-        f64::INFINITY
+    /// How steps are made from a state.
+    fn pace(&self, y: &Self::Y, rate: &Self::Y) -> Pace<Self::Y>;
+
+    /// A step and the length of the next one. `length` is what the last step has left.
+    ///
+    /// # Errors
+    /// [`Lost`].
+    fn step(&mut self, from: (&Self::Y, &Self::Y), length: f64) -> Result<(Step<Self::Y>, f64), Lost> {
+        step(self, from, length)
+    }
+
+    /// An explicit step that is tried, and whether a number was lost in it.
+    fn tried(&mut self, (y, rate): (&Self::Y, &Self::Y), length: f64) -> (Trial<Self::Y>, bool) {
+        (step_plain(*y, *rate, length, |y| self.rate(y)), false)
+    }
+
+    /// The end of a step of another length from the same start.
+    fn step_to(&mut self, step: &Step<Self::Y>, length: f64) -> Self::Y {
+        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
+    }
+
+    /// Goes to the end of a step in which nothing happens; the state to go on from.
+    fn passed(&mut self, step: Step<Self::Y>) -> Self::Y {
+        step.end
     }
 }
 
@@ -53,19 +88,30 @@ pub trait Course {
 /// See [`follow`].
 #[derive(Clone, Copy, Debug)]
 pub struct Pace<Y> {
-    /// The first step.
-    pub first: f64,
     /// What a step may err by.
     pub tolerance: Y,
+    /// The longest step to try.
+    pub longest: f64,
     /// A step that has to be shorter than this is not made: [`Lost::Short`].
     pub shortest: f64,
     /// Errors of steps of this length or less, and up to this number of tolerances, are rounding: shorter steps would not help.
     pub noise: Option<[f64; 2]>,
-    /// Steps, the refused ones too, after which the course is given up: [`Lost::Steps`].
-    pub most_steps: usize,
+    /// Where the course stands on its own clock: lengths below the last digit of that are rounding.
+    pub clock: f64,
 }
 
 impl<Y: Vector> Pace<Y> {
+    /// Steps of any length within a tolerance, on a clock that starts anew with each.
+    ///
+    /// # Example
+    /// ```
+    /// let pace = carom_num::course::Pace::within([1e-9; 2]);
+    /// assert_eq!((pace.longest, pace.shortest), (f64::INFINITY, 0.0));
+    /// ```
+    pub fn within(tolerance: Y) -> Self {
+        Self { tolerance, longest: f64::INFINITY, shortest: 0.0, noise: None, clock: 0.0 }
+    }
+
     /// The length to go on with after a step whose error is rounding; `None` where it is not.
     fn short(&self, length: f64, error: f64) -> Option<f64> {
         self.noise.filter(|[short, most]| length <= *short && error <= *most).map(|[short, _]| short)
@@ -76,14 +122,18 @@ impl<Y: Vector> Pace<Y> {
 ///
 /// # Example
 /// See [`follow`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stop<Y, End> {
-    /// An event function fell through zero.
+#[derive(Clone, Copy, Debug)]
+pub enum Stop<Y, Event, End> {
+    /// Something happened.
     Event {
-        /// Which one.
-        event: usize,
+        /// What.
+        event: Event,
         /// The state there: the end of a step.
         y: Y,
+        /// The step in which it happened, as it was made.
+        step: Step<Y>,
+        /// How long after the start of that step.
+        length: f64,
     },
     /// [`Course::end`] knew the rest.
     End(End),
@@ -94,118 +144,130 @@ pub enum Stop<Y, End> {
 /// # Example
 /// A course without events is given up by its budget.
 /// ```
-/// use carom_num::course::{Course, Lost, Pace, follow};
+/// use carom_num::course::{Course, Found, Lost, Pace, follow};
+/// use carom_num::ode8::Step;
 /// struct Rest;
 /// impl Course for Rest {
 ///     type Y = [f64; 1];
-///     type Events = [f64; 0];
+///     type Event = ();
 ///     type End = ();
-///     fn rate(&self, _: &[f64; 1]) -> [f64; 1] {
+///     fn rate(&mut self, _: &[f64; 1]) -> [f64; 1] {
 ///         [0.0]
 ///     }
-///     fn events(&self, _: &[f64; 1]) -> [f64; 0] {
-///         []
+///     fn first_event(&mut self, _: &Step<[f64; 1]>) -> Result<Option<Found<()>>, Lost> {
+///         Ok(None)
+///     }
+///     fn value(&mut self, _: &(), _: f64, _: &[f64; 1]) -> f64 {
+///         1.0
+///     }
+///     fn pace(&self, _: &[f64; 1], _: &[f64; 1]) -> Pace<[f64; 1]> {
+///         Pace::within([1e-9])
 ///     }
 /// }
-/// let pace = Pace { first: 1.0, tolerance: [1e-9], shortest: 0.0, noise: None, most_steps: 10 };
-/// assert_eq!(follow(&Rest, [0.0], &pace), Err(Lost::Steps));
+/// assert!(matches!(follow(&mut Rest, ([0.0], [0.0]), 1.0, 10), Err(Lost::Steps)));
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lost {
-    /// No event within [`Pace::most_steps`].
+    /// No event within the steps that were allowed.
     Steps,
-    /// Steps would have to be shorter than [`Pace::shortest`].
-    Short,
+    /// Steps would have to be shorter than [`Pace::shortest`]: the length that would come next.
+    Short(f64),
+    /// A number was lost, and a shorter step does not bring it back.
+    Number,
 }
 
-/// Follows a course to its first event, or to where its end is known.
+/// Follows a course from a state, and the derivative there, to its first event or to where its end is known. `first` is the length of the first step, and at
+/// most `most_steps` are made.
 ///
 /// # Errors
 /// [`Lost`]: a budget by its name.
 ///
 /// # Guarantees
-/// Those of [`first_fall`], for each event function on each step. The place of an event is as exact as a step of its length.
+/// Those of [`Course::first_event`], for which [`first_fall`](crate::falls::first_fall) is made. The place of an event is as exact as a step of its length.
 ///
 /// # Example
 /// A ball that falls from 20 m at 10 m/s² is down after 2 s.
 /// ```
-/// use carom_num::course::{Course, Pace, Stop, follow};
+/// use carom_num::course::{Course, Found, Lost, Pace, Stop, follow};
+/// use carom_num::falls::first_fall;
+/// use carom_num::ode8::Step;
 /// struct Falling;
 /// impl Course for Falling {
-///     /// Height, speed, time.
-///     type Y = [f64; 3];
-///     type Events = [f64; 1];
+///     /// Height, speed.
+///     type Y = [f64; 2];
+///     type Event = usize;
 ///     type End = ();
-///     fn rate(&self, y: &[f64; 3]) -> [f64; 3] {
-///         [y[1], -10.0, 1.0]
+///     fn rate(&mut self, y: &[f64; 2]) -> [f64; 2] {
+///         [y[1], -10.0]
 ///     }
-///     fn events(&self, y: &[f64; 3]) -> [f64; 1] {
-///         [y[0]]
+///     fn first_event(&mut self, step: &Step<[f64; 2]>) -> Result<Option<Found<usize>>, Lost> {
+///         let fall = first_fall(&mut |x| [step.at(x)[0]]);
+///         Ok(fall.map(|fall| Found::at(fall.at, fall.of)))
+///     }
+///     fn value(&mut self, _: &usize, _: f64, y: &[f64; 2]) -> f64 {
+///         y[0]
+///     }
+///     fn pace(&self, _: &[f64; 2], _: &[f64; 2]) -> Pace<[f64; 2]> {
+///         Pace::within([1e-9; 2])
 ///     }
 /// }
-/// let pace = Pace { first: 0.1, tolerance: [1e-9; 3], shortest: 0.0, noise: None, most_steps: 100 };
-/// let Ok(Stop::Event { event: 0, y }) = follow(&Falling, [20.0, 0.0, 0.0], &pace) else { panic!("it falls") };
-/// assert!((y[2] - 2.0).abs() < 1e-12 && (y[1] + 20.0).abs() < 1e-11);
+/// let end = follow(&mut Falling, ([20.0, 0.0], [0.0, -10.0]), 4.0, 100);
+/// let Ok(Stop::Event { y, length, .. }) = end else { panic!("it falls") };
+/// assert!((length - 2.0).abs() < 1e-12 && (y[1] + 20.0).abs() < 1e-11);
 /// ```
-pub fn follow<C: Course>(course: &C, mut y: C::Y, pace: &Pace<C::Y>) -> Result<Stop<C::Y, C::End>, Lost> {
-    let rates = |y: &C::Y| course.rate(y);
-    let (mut rate, mut length) = (rates(&y), pace.first);
-    if let Some(end) = course.end(&y, &rate) {
-        return Ok(Stop::End(end));
-    }
-    for _ in 0..pace.most_steps {
-        length = length.min(course.longest(&y, &rate));
-        let trial = step_plain(y, rate, length, rates);
-        let error = trial.scaled_error(&pace.tolerance);
-        let short = pace.short(length, error);
-        if (error > 1.0 || error.is_nan()) && short.is_none() {
-            length *= if error.is_nan() { LOST_STEP } else { length_factor(error) };
-            if length <= pace.shortest {
-                return Err(Lost::Short);
-            }
-            continue;
-        }
-        let step = trial.with_dense(rates(&trial.end), rates);
-        if let Some(fall) = first_fall(&mut |x| course.events(&step.at(x))) {
-            return Ok(Stop::Event { event: fall.of, y: reach(course, &step, (fall.of, fall.at)) });
-        }
-        (y, rate) = (step.end, step.end_rate);
-        length = short.unwrap_or(step.length * length_factor(error));
+pub fn follow<C: Course>(
+    course: &mut C,
+    (mut y, mut rate): (C::Y, C::Y),
+    first: f64,
+    most_steps: usize,
+) -> Result<Stop<C::Y, C::Event, C::End>, Lost> {
+    let mut length = first;
+    for _ in 0..most_steps {
         if let Some(end) = course.end(&y, &rate) {
             return Ok(Stop::End(end));
         }
+        let (step, next) = course.step((&y, &rate), length)?;
+        if let Some(found) = course.first_event(&step)? {
+            let (length, y) = reach(course, &step, &found);
+            return Ok(Stop::Event { event: found.event, y, step, length });
+        }
+        (rate, length) = (step.end_rate, next);
+        y = course.passed(step);
     }
-    Err(Lost::Steps)
+    course.end(&y, &rate).map(Stop::End).ok_or(Lost::Steps)
 }
 
-/// Steps to an event near a fraction of a step: the end of the step that ends there.
-fn reach<C: Course>(course: &C, step: &Step<C::Y>, (event, x): (usize, f64)) -> C::Y {
-    let to = |length: f64| -> Trial<C::Y> {
-        step_plain(step.start, step.start_rate, length, |y: &C::Y| course.rate(y))
-    };
-    let value = |y: &C::Y| course.events(y).at(event);
-    let mut end = to(x * step.length).end;
-    let mut now = (x * step.length, value(&end));
-    let mut before = None;
-    for _ in 0..MOST_CORRECTIONS {
-        let slope = course.slope(event, &end).unwrap_or_else(|| {
-            // The first secant needs a second place near by.
-            let near = || (x - EVENT_SECANT).max(0.5 * x);
-            let (at, was) = before.unwrap_or_else(|| (near() * step.length, value(&step.at(near()))));
-            (now.1 - was) / (now.0 - at)
-        });
-        let correction = -now.1 / slope;
-        // The dense output is not that far from the course: what is left of the function is rounding.
-        let astray = correction.abs() > EVENT_ASTRAY * step.length;
-        if !correction.is_finite() || astray || correction.abs() <= EVENT_ARRIVED * step.length {
-            break;
+/// An explicit step whose error is within the tolerance, and the length to try next.
+///
+/// # Errors
+/// [`Lost`].
+///
+/// # Example
+/// See [`Course::step`], which is this unless a course knows better.
+pub fn step<C: Course + ?Sized>(
+    course: &mut C,
+    from: (&C::Y, &C::Y),
+    length: f64,
+) -> Result<(Step<C::Y>, f64), Lost> {
+    let pace = course.pace(from.0, from.1);
+    let mut length = length.min(pace.longest);
+    // A last step may be as short as what is left.
+    let shortest = pace.shortest.min(pace.longest);
+    loop {
+        let (trial, lost) = course.tried(from, length);
+        let error = trial.scaled_error(&pace.tolerance);
+        let short = pace.short(length, error);
+        // A number that is lost on the way to a place too far off is lost with the step.
+        if error <= 1.0 && !lost || short.is_some() {
+            let end_rate = course.end_rate(&trial.end);
+            let step = trial.with_dense(end_rate, |y| course.rate(y));
+            return Ok((step, short.unwrap_or(length * length_factor(error))));
         }
-        before = Some(now);
-        let length = now.0 + correction;
-        end = to(length).end;
-        now = (length, value(&end));
+        length *= if lost || !error.is_finite() { LOST_STEP } else { length_factor(error) };
+        if length < shortest || length == 0.0 {
+            return Err(if lost { Lost::Number } else { Lost::Short(length) });
+        }
     }
-    end
 }
 
 #[cfg(test)]
@@ -213,35 +275,55 @@ mod tests {
     use super::*;
     use crate::elementary::sin_cos;
 
+    use crate::falls::first_fall;
+
     /// An oscillator (position, velocity, time) whose events are these functions of it.
-    struct Oscillator<E>(E);
+    struct Oscillator<E> {
+        events: E,
+        tolerance: f64,
+    }
 
-    impl<const K: usize, E: Fn(&[f64; 3]) -> [f64; K]> Course for Oscillator<E> {
-        type Y = [f64; 3];
-        type Events = [f64; K];
-        type End = ();
-
-        fn rate(&self, y: &[f64; 3]) -> [f64; 3] {
-            [y[1], -y[0], 1.0]
+    impl<const K: usize, E: Fn(&[f64; 3]) -> [f64; K]> Oscillator<E> {
+        fn watching(events: E) -> Self {
+            Self { events, tolerance: 1e-9 }
         }
 
-        fn events(&self, y: &[f64; 3]) -> [f64; K] {
-            (self.0)(y)
+        fn follow(mut self, first: f64) -> Result<Stop<[f64; 3], usize, ()>, Lost> {
+            let start = [0.0, 1.0, 0.0];
+            let rate = self.rate(&start);
+            follow(&mut self, (start, rate), first, 100)
         }
     }
 
-    fn pace(first: f64) -> Pace<[f64; 3]> {
-        Pace { first, tolerance: [1e-9; 3], shortest: 1e-6, noise: None, most_steps: 100 }
+    impl<const K: usize, E: Fn(&[f64; 3]) -> [f64; K]> Course for Oscillator<E> {
+        type Y = [f64; 3];
+        type Event = usize;
+        type End = ();
+
+        fn rate(&mut self, y: &[f64; 3]) -> [f64; 3] {
+            [y[1], -y[0], 1.0]
+        }
+
+        fn first_event(&mut self, step: &Step<[f64; 3]>) -> Result<Option<Found<usize>>, Lost> {
+            let fall = first_fall(&mut |x| (self.events)(&step.at(x)));
+            Ok(fall.map(|fall| placed(self, step, fall.of, fall.at)))
+        }
+
+        fn value(&mut self, event: &usize, _: f64, y: &[f64; 3]) -> f64 {
+            (self.events)(y)[*event]
+        }
+
+        fn pace(&self, _: &[f64; 3], _: &[f64; 3]) -> Pace<[f64; 3]> {
+            Pace { shortest: 1e-6, ..Pace::within([self.tolerance; 3]) }
+        }
     }
 
     /// Both ends of the step see the function positive: only what happens between tells.
     #[test]
     fn a_function_that_falls_and_rises_within_one_step_is_found() {
         for depth in [1e-2, 1e-4, 1e-6] {
-            let dips = Oscillator(|y: &[f64; 3]| [1.0 - depth - y[0]]);
-            let Ok(Stop::Event { event: 0, y }) = follow(&dips, [0.0, 1.0, 0.0], &pace(2.5)) else {
-                panic!("it dips by {depth}")
-            };
+            let dips = Oscillator::watching(|y: &[f64; 3]| [1.0 - depth - y[0]]);
+            let Ok(Stop::Event { event: 0, y, .. }) = dips.follow(2.5) else { panic!("it dips by {depth}") };
             // sin t = 1 − depth, on the way up.
             let (sin, _) = sin_cos(y[2]);
             assert!((sin - 1.0 + depth).abs() < 1e-8 && y[2] < std::f64::consts::FRAC_PI_2, "{depth}: {y:?}");
@@ -250,18 +332,16 @@ mod tests {
 
     #[test]
     fn of_two_events_in_one_step_the_first_ends_the_course() {
-        let both = Oscillator(|y: &[f64; 3]| [0.9 - y[2], 0.8 - y[2]]);
-        let Ok(Stop::Event { event, y }) = follow(&both, [0.0, 1.0, 0.0], &pace(1.0)) else {
-            panic!("both fall")
-        };
+        let both = Oscillator::watching(|y: &[f64; 3]| [0.9 - y[2], 0.8 - y[2]]);
+        let Ok(Stop::Event { event, y, .. }) = both.follow(1.0) else { panic!("both fall") };
         assert!(event == 1 && (y[2] - 0.8).abs() < 1e-12, "{event} at {y:?}");
     }
 
     #[test]
     fn budgets_end_by_name() {
-        let none = Oscillator(|_: &[f64; 3]| [1.0]);
-        assert_eq!(follow(&none, [0.0, 1.0, 0.0], &pace(0.1)), Err(Lost::Steps));
-        let tight = Pace { tolerance: [1e-60; 3], ..pace(0.1) };
-        assert_eq!(follow(&none, [0.0, 1.0, 0.0], &tight), Err(Lost::Short));
+        let none = || Oscillator::watching(|_: &[f64; 3]| [1.0]);
+        assert!(matches!(none().follow(0.1), Err(Lost::Steps)), "100 steps");
+        let tight = Oscillator { tolerance: 1e-60, ..none() };
+        assert!(matches!(tight.follow(0.1), Err(Lost::Short(_))), "steps of a millionth");
     }
 }

@@ -39,13 +39,16 @@ pub(crate) const TAYLOR_SHORTEST: f64 = 1e-8;
 
 /// A highest term of an interpolant below this fraction of the function's size shows its shape well enough [1].
 pub(crate) const RESOLVED_SHAPE: f64 = 1e-3;
-/// How far before an event the first secant to it begins, as a fraction of the step [1]: far enough that the event function differs by more than its
-/// rounding.
-pub(crate) const EVENT_SECANT: f64 = 1e-3;
-/// A correction of an event's place below this fraction of the step is rounding [1].
-pub(crate) const EVENT_ARRIVED: f64 = 4.0 * f64::EPSILON;
-/// A correction above this fraction of the step has lost the event [1].
-pub(crate) const EVENT_ASTRAY: f64 = 0.1;
+/// Where the second point of the first secant lies, as a fraction of a step [1].
+pub(crate) const FIRST_SECANT: f64 = 1e-4;
+/// Secants are done where the place changes by less than this fraction of a step [1]: the dense output is not more exact.
+pub(crate) const SECANT_DONE: f64 = 1e-12;
+/// Corrections of a step's length below this fraction of it are short enough for a method of order 4 [1]: its error is of the fifth power.
+pub(crate) const SHORT_SHIFT: f64 = 1e-4;
+/// Corrections below this fraction of a step are too short for the curvature of a course to count [1]: their square is lost.
+pub(crate) const STRAIGHT: f64 = 1e-8;
+/// Corrections below this fraction of the clock cannot be written [1].
+pub(crate) const LAST_DIGIT: f64 = 1e-16;
 
 // Roots on the circle.
 

@@ -17,8 +17,10 @@ use crate::tolerance::{
     SPRING_STILL,
 };
 use crate::{ImpactError, Law};
-use carom_num::course::{self, Course, Lost, Pace, Stop};
+use carom_num::course::{self, Course, Found, Lost, Pace, Stop, placed};
 use carom_num::elementary::pow;
+use carom_num::falls::first_fall;
+use carom_num::ode8::{Step, Vector};
 
 /// Impulses (t, n), spring, and work (t, n) of up to six contacts.
 const STATE: usize = 5 * MOST_CONTACTS;
@@ -230,7 +232,7 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
 
     fn run(&self) -> Result<State, ImpactError> {
         let mut y = [0.0; STATE];
-        let (deepest, pace) = (self.time * self.fastest, self.pace());
+        let deepest = self.time * self.fastest;
         for _ in 0..MOST_EVENTS {
             for z in &mut y[SPRING..WORK_T] {
                 *z = if *z <= SPRING_STILL * deepest { 0.0 } else { *z };
@@ -239,31 +241,15 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             if !mode.active.contains(&true) || self.holds_itself(&y, &mode) {
                 return Ok(y);
             }
-            let leg = Leg { springs: self, mode };
-            y = match course::follow(&leg, y, &pace) {
+            let mut leg = Leg { springs: self, mode };
+            let rate = leg.rate(&y);
+            y = match course::follow(&mut leg, (y, rate), FIRST_STEP * self.time, MOST_EVENTS) {
                 Ok(Stop::Event { y, .. } | Stop::End(y)) => y,
-                Err(Lost::Short) => return Err(ImpactError::Overflow),
+                Err(Lost::Short(_) | Lost::Number) => return Err(ImpactError::Overflow),
                 Err(Lost::Steps) => return Err(ImpactError::Unending { stages: MOST_EVENTS }),
             };
         }
         Err(ImpactError::Unending { stages: MOST_EVENTS })
-    }
-
-    fn pace(&self) -> Pace<State> {
-        let (deepest, fastest) = (self.time * self.fastest, self.fastest);
-        let impulse = fastest / self.set.operator[0][0].nn;
-        let scale = |k: usize| match k {
-            _ if k < SPRING => impulse,
-            _ if k < WORK_T => deepest,
-            _ => impulse * fastest,
-        };
-        Pace {
-            first: FIRST_STEP * self.time,
-            tolerance: std::array::from_fn(|k| SPRING_STEP_ERROR * scale(k)),
-            shortest: SPRING_SHORTEST * self.time,
-            noise: None,
-            most_steps: MOST_EVENTS,
-        }
     }
 }
 
@@ -293,16 +279,6 @@ impl<const N: usize, const M: usize> Leg<'_, N, M> {
         };
         [turns, slack, one, other]
     }
-}
-
-impl<const N: usize, const M: usize> Course for Leg<'_, N, M> {
-    type Y = State;
-    type Events = [[f64; OF_CONTACT]; N];
-    type End = State;
-
-    fn rate(&self, y: &State) -> State {
-        self.springs.rate(y, &self.mode)
-    }
 
     fn events(&self, y: &State) -> [[f64; OF_CONTACT]; N] {
         let forces = self.springs.forces(y, &self.mode);
@@ -310,9 +286,42 @@ impl<const N: usize, const M: usize> Course for Leg<'_, N, M> {
             if i < self.springs.set.count { self.of_contact(i, y, forces[i]) } else { [1.0; OF_CONTACT] }
         })
     }
+}
 
-    fn end(&self, y: &State, _: &State) -> Option<State> {
+impl<const N: usize, const M: usize> Course for Leg<'_, N, M> {
+    type Y = State;
+    /// The function that falls, by its number.
+    type Event = usize;
+    type End = State;
+
+    fn rate(&mut self, y: &State) -> State {
+        self.springs.rate(y, &self.mode)
+    }
+
+    fn first_event(&mut self, step: &Step<State>) -> Result<Option<Found<usize>>, Lost> {
+        let fall = first_fall(&mut |x| self.events(&step.at(x)));
+        Ok(fall.map(|fall| placed(self, step, fall.of, fall.at)))
+    }
+
+    fn value(&mut self, event: &usize, _: f64, y: &State) -> f64 {
+        self.events(y).at(*event)
+    }
+
+    fn end(&mut self, y: &State, _: &State) -> Option<State> {
         self.springs.holds_itself(y, &self.mode).then_some(*y)
+    }
+
+    fn pace(&self, _: &State, _: &State) -> Pace<State> {
+        let springs = self.springs;
+        let (deepest, fastest) = (springs.time * springs.fastest, springs.fastest);
+        let impulse = fastest / springs.set.operator[0][0].nn;
+        let scale = |k: usize| match k {
+            _ if k < SPRING => impulse,
+            _ if k < WORK_T => deepest,
+            _ => impulse * fastest,
+        };
+        let tolerance = std::array::from_fn(|k| SPRING_STEP_ERROR * scale(k));
+        Pace { shortest: SPRING_SHORTEST * springs.time, ..Pace::within(tolerance) }
     }
 }
 

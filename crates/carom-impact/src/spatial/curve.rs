@@ -21,9 +21,10 @@ use crate::tolerance::{
     STOPPED,
 };
 use carom_num::Vec3;
-use carom_num::course::{self, Course, Stop};
+use carom_num::course::{self, Course, Found, Lost, Stop, placed};
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
-use carom_num::ode8::Vector;
+use carom_num::falls::first_fall;
+use carom_num::ode8::{Step, Vector};
 
 /// Of each contact: ln s, θ, the three impulses, work of tangential and normal impulse; the clock is the first contact's last number.
 pub(super) type State<const N: usize> = [[f64; 8]; N];
@@ -64,8 +65,11 @@ impl<const N: usize> Leg<'_, N> {
         let edge = if onset.is_none() { curve.starts_at_edge(now) } else { None };
         let first = onset.unwrap_or(first);
         curve.edge = edge.map(|i| (i, first[i][0] - FALLEN));
-        match course::follow(&curve, first, &curve.steps()).map_err(|_| unending)? {
-            Stop::Event { event, y } => Ok(curve.walked(&y, curve.event(event))),
+        let rate = curve.rate(&first);
+        match course::follow(&mut curve, (first, rate), self.first_length(), MOST_STEPS)
+            .map_err(|_| unending)?
+        {
+            Stop::Event { event, y, .. } => Ok(curve.walked(&y, curve.event(event))),
             Stop::End(walked) => Ok(walked),
         }
     }
@@ -78,6 +82,10 @@ impl<const N: usize> Leg<'_, N> {
         }
     }
 
+    fn first_length(&self) -> f64 {
+        LENGTH / (self.largest_response * (1.0 + self.roughest()))
+    }
+
     fn roughest(&self) -> f64 {
         self.set.friction[..self.set.count].iter().fold(0.0, |m: f64, mu| m.max(*mu))
     }
@@ -85,10 +93,11 @@ impl<const N: usize> Leg<'_, N> {
 
 impl<const N: usize> Course for Curve<'_, N> {
     type Y = State<N>;
-    type Events = Watch<N>;
+    /// The function that falls, as [`Watch`] counts them.
+    type Event = usize;
     type End = Walked<N>;
 
-    fn rate(&self, y: &State<N>) -> State<N> {
+    fn rate(&mut self, y: &State<N>) -> State<N> {
         let mut out = [[0.0; 8]; N];
         let direction = self.directions(y);
         let Some(now) = self.leg.pace(&direction) else { return [[f64::NAN; 8]; N] };
@@ -113,11 +122,16 @@ impl<const N: usize> Course for Curve<'_, N> {
         out
     }
 
-    fn events(&self, y: &State<N>) -> Watch<N> {
-        self.lifted(y)
+    fn first_event(&mut self, step: &Step<State<N>>) -> Result<Option<Found<usize>>, Lost> {
+        let fall = first_fall(&mut |x| self.lifted(&step.at(x)));
+        Ok(fall.map(|fall| placed(self, step, fall.of, fall.at)))
     }
 
-    fn end(&self, y: &State<N>, rate: &State<N>) -> Option<Walked<N>> {
+    fn value(&mut self, event: &usize, _: f64, y: &State<N>) -> f64 {
+        self.lifted(y).at(*event)
+    }
+
+    fn end(&mut self, y: &State<N>, rate: &State<N>) -> Option<Walked<N>> {
         let fallen = || self.edge.filter(|&(i, least)| y[i][0] < least).map(|(i, _)| i);
         if let Some(i) = self.stopped(y).or_else(fallen) {
             return Some(self.walked(y, StageEvent::SlipStops(i)));
@@ -129,27 +143,22 @@ impl<const N: usize> Course for Curve<'_, N> {
         self.straight_on(y, rate).or_else(stands)
     }
 
-    fn longest(&self, y: &State<N>, rate: &State<N>) -> f64 {
-        // What comes beyond the goal is noise of what comes before it.
-        2.0 * self.leg.until_clock_ends(y, rate)
+    fn pace(&self, y: &State<N>, rate: &State<N>) -> course::Pace<State<N>> {
+        let first = self.leg.first_length();
+        let impulse = self.leg.fastest / self.leg.largest_response;
+        let work = impulse * self.leg.fastest;
+        let scales = [1.0, 1.0, impulse, impulse, impulse, work, work, 1.0];
+        let tolerance = [scales.map(|scale| CURVE_STEP_ERROR * scale); N];
+        course::Pace {
+            // What comes beyond the goal is noise of what comes before it.
+            longest: 2.0 * self.leg.until_clock_ends(y, rate),
+            noise: Some([CURVE_SHORT * first, CURVE_NOISE]),
+            ..course::Pace::within(tolerance)
+        }
     }
 }
 
 impl<const N: usize> Curve<'_, N> {
-    fn steps(&self) -> course::Pace<State<N>> {
-        let first = LENGTH / (self.leg.largest_response * (1.0 + self.leg.roughest()));
-        let impulse = self.leg.fastest / self.leg.largest_response;
-        let work = impulse * self.leg.fastest;
-        let scales = [1.0, 1.0, impulse, impulse, impulse, work, work, 1.0];
-        course::Pace {
-            first,
-            tolerance: [scales.map(|scale| CURVE_STEP_ERROR * scale); N],
-            shortest: 0.0,
-            noise: Some([CURVE_SHORT * first, CURVE_NOISE]),
-            most_steps: MOST_STEPS,
-        }
-    }
-
     pub(super) fn tracked(&self) -> impl Iterator<Item = usize> + '_ {
         self.leg.contacts().filter(|&i| self.leg.is_tracked(i))
     }

@@ -16,8 +16,10 @@
 use super::single::{Goal, Place};
 use crate::ImpactError;
 use crate::tolerance::{BESIDE, CURVE_STEP_ERROR, SETTLED_TURN, STOPPED};
-use carom_num::course::{self, Course, Pace, Stop};
+use carom_num::course::{self, Course, Found, Lost, Pace, Stop, placed};
 use carom_num::elementary::{atan2, exp, ln, sin_cos};
+use carom_num::falls::first_fall;
+use carom_num::ode8::Step;
 use carom_num::{Mat3, Vec3};
 
 /// A contact's operator and its friction.
@@ -118,7 +120,7 @@ impl Rough {
 pub(super) fn slide(contact: &Rough, at: &mut Place, goal: Goal) -> Result<Reached, ImpactError> {
     let (start, v) = (*at, at.velocity);
     let response = contact.operator.rows.map(Vec3::norm).into_iter().fold(0.0, f64::max);
-    let slide = Slide { contact: *contact, start, goal, largest: v.norm(), response };
+    let mut slide = Slide { contact: *contact, start, goal, largest: v.norm(), response };
     let first = [
         ln((v.x * v.x + v.y * v.y).sqrt()),
         atan2(v.y, v.x),
@@ -128,7 +130,9 @@ pub(super) fn slide(contact: &Rough, at: &mut Place, goal: Goal) -> Result<Reach
         at.impulse.y,
         at.work,
     ];
-    let end = course::follow(&slide, first, &slide.pace())
+    let rate = slide.rate(&first);
+    let length = 0.1 / (response * (1.0 + contact.friction));
+    let end = course::follow(&mut slide, (first, rate), length, MOST_STEPS)
         .map_err(|_| ImpactError::Unending { stages: MOST_STEPS })?;
     let reached;
     (*at, reached) = match end {
@@ -140,25 +144,30 @@ pub(super) fn slide(contact: &Rough, at: &mut Place, goal: Goal) -> Result<Reach
 
 impl Course for Slide {
     type Y = Curve;
-    /// What is left of the phase.
-    type Events = [f64; 1];
+    /// The phase ends.
+    type Event = ();
     type End = (Place, Reached);
 
-    fn rate(&self, y: &Curve) -> Curve {
+    fn rate(&mut self, y: &Curve) -> Curve {
         let speed = exp(y[0]);
         let (impulse, [along, across, normal]) = self.contact.slipping(y[1]);
         [along, across, speed, speed * normal, speed * impulse.x, speed * impulse.y, speed * y[3]]
     }
 
-    fn events(&self, y: &Curve) -> [f64; 1] {
-        [self.left(y).0]
+    fn first_event(&mut self, step: &Step<Curve>) -> Result<Option<Found<()>>, Lost> {
+        let fall = first_fall(&mut |x| [self.left(&step.at(x)).0]);
+        Ok(fall.map(|fall| placed(self, step, (), fall.at)))
     }
 
-    fn slope(&self, _: usize, y: &Curve) -> Option<f64> {
+    fn value(&mut self, (): &(), _: f64, y: &Curve) -> f64 {
+        self.left(y).0
+    }
+
+    fn slope(&mut self, (): &(), _: f64, y: &Curve) -> Option<f64> {
         Some(self.left(y).1)
     }
 
-    fn end(&self, y: &Curve, rate: &Curve) -> Option<(Place, Reached)> {
+    fn end(&mut self, y: &Curve, rate: &Curve) -> Option<(Place, Reached)> {
         // ln s falls without end where the slip stops.
         if y[0] <= ln(STOPPED * self.largest) {
             return Some((self.stopped(y), Reached::Rest));
@@ -167,21 +176,15 @@ impl Course for Slide {
         let settled = rate[1].abs() * exp(y[0]) <= SETTLED_TURN * self.response * self.largest;
         if settled { self.straight_on(y) } else { None }
     }
+
+    fn pace(&self, _: &Curve, _: &Curve) -> Pace<Curve> {
+        let impulse = self.largest / self.response;
+        let scales = [1.0, 1.0, impulse, self.largest, impulse, impulse, impulse * self.largest];
+        Pace::within(scales.map(|scale| CURVE_STEP_ERROR * scale))
+    }
 }
 
 impl Slide {
-    fn pace(&self) -> Pace<Curve> {
-        let impulse = self.largest / self.response;
-        let scales = [1.0, 1.0, impulse, self.largest, impulse, impulse, impulse * self.largest];
-        Pace {
-            first: 0.1 / (self.response * (1.0 + self.contact.friction)),
-            tolerance: scales.map(|scale| CURVE_STEP_ERROR * scale),
-            shortest: 0.0,
-            noise: None,
-            most_steps: MOST_STEPS,
-        }
-    }
-
     /// What is left of the phase, and its rate with σ.
     fn left(&self, y: &Curve) -> (f64, f64) {
         let growth = self.contact.slipping(y[1]).1[2];

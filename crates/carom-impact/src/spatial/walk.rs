@@ -278,7 +278,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             if let Some((leg, solution)) = leg {
                 let Some(walked) = self.go(&leg, &solution, &purpose, observe)? else {
                     // Wedged: whatever it is pressed with, nothing rises, and nothing is returned.
-                    return Ok(());
+                    break;
                 };
                 debts.pay(walked.event, walked.clock, &walked.work);
                 turned = walked.event == StageEvent::DrivenIn;
@@ -288,7 +288,7 @@ impl<'a, const N: usize> Walk<'a, N> {
                 // A slip that turned into the paradox: stop it first, then let nothing approach.
                 let before = self.place.work;
                 if !self.force(&purpose, turned, observe)? {
-                    return Ok(());
+                    break;
                 }
                 self.compress(observe)?;
                 debts.count(|i| self.place.work[i][1] - before[i][1]);
