@@ -116,8 +116,6 @@ pub(crate) const FIRST_STEP_TOLERANCE: f64 = 1e-11;
 pub(crate) const COARSE_SERIES_TOLERANCE: f64 = 1e-9;
 /// A shorter step than this is a fault of the numbers.
 pub(crate) const SHORTEST_STEP: f64 = 1e-14;
-/// Numbers that are lost in a step this short are lost at its start, not on the way to a place too far off.
-pub(crate) const LOST_STEP: f64 = 1e-12;
 /// Times that differ by no more than this are one instant: nothing moves between them.
 pub(crate) const SAME_INSTANT: f64 = 1e-13;
 /// A stretch this short is an instant, in which nothing can be met; no step towards a touch is shorter.
@@ -152,16 +150,6 @@ pub(crate) const GRAZING_STEP: f64 = 5e-4;
 pub(crate) const NEWTON_ASTRAY: f64 = 1e-3;
 /// A correction of Newton's method below this, as a time or as a fraction of a stretch, is rounding.
 pub(crate) const NEWTON_DONE: f64 = 1e-16;
-/// Where the second point of the first secant lies, as a fraction of a step (in space too).
-pub(crate) const FIRST_SECANT: f64 = 1e-4;
-/// Secants are done where the place changes by less than this fraction of a step: the dense output is not more exact.
-pub(crate) const SECANT_DONE: f64 = 1e-12;
-/// Corrections of a step's length below this fraction of it are short enough for a method of order 4: its error is of the fifth power.
-pub(crate) const SHORT_SHIFT: f64 = 1e-4;
-/// Times below this are too short for the curvature of a motion to count: its square is lost.
-pub(crate) const CURVELESS: f64 = 1e-8;
-/// Corrections of an event below this fraction of the time since the start cannot be written.
-pub(crate) const LAST_DIGIT_OF_TIME: f64 = 1e-16;
 
 // Bodies in space.
 

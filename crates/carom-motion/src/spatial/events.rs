@@ -1,15 +1,16 @@
-//! The events of a mode: found on the dense output of a step, polished by stepping to them.
+//! The events of a mode, found on the dense output of a step.
 
-use super::course::Course;
+use super::gliding::Gliding;
+use super::motion::Motion;
 use super::posture::{Height, Posture};
-use super::terms::{Effort, Overturning};
-use super::{Supports, World};
+use super::terms::Overturning;
 use crate::evaluated::{Quantity, evaluated};
-use crate::tolerance::{CORRECTION_ROUNDING, FIRST_SECANT, LEAST_MARCH};
+use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH};
 use carom_num::Vec3;
+use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
 use carom_num::falls::first_fall;
-use carom_num::ode8::{EVALUATIONS_PLAIN, Step};
+use carom_num::ode8::Step;
 
 /// What ends a stretch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,37 +35,15 @@ pub(super) enum Event {
     Overturns,
 }
 
-/// An event within a step, as a fraction of it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
-    pub(super) at: f64,
-    pub(super) event: Event,
-}
-
-/// Steps to an event after which it is taken where it is.
-const MOST_STEPS_TO_EVENT: u32 = 8;
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
 const MOST_NEWTON: u32 = 20;
 
-/// What is watched during a stretch.
-pub(super) struct Watch<'w, C> {
-    pub(super) world: &'w World,
-    pub(super) course: C,
-    /// Supports that are held.
-    pub(super) held: Supports,
-    /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
-    pub(super) departing: Supports,
-    pub(super) overturning: Option<Overturning>,
-    /// The middle of the supports, body axes.
-    pub(super) middle: Vec3,
-}
-
-impl<C: Course> Watch<'_, C> {
-    fn value(&self, event: &Event, y: &C::Y, at: &Posture) -> f64 {
+impl<C: Motion> Gliding<'_, '_, C> {
+    pub(super) fn value_at(&self, event: &Event, y: &C::Y, at: &Posture) -> f64 {
         let value = match *event {
             Event::Touches(support) => return self.height(support, at).value,
             Event::Overturns => self.uprightness(at),
-            _ => self.course.value(event, y, at),
+            _ => self.motion.value(event, y, at),
         };
         evaluated(Quantity::Event, value)
     }
@@ -75,7 +54,7 @@ impl<C: Course> Watch<'_, C> {
             None => 1.0,
             Some(Overturning::Tilt { axis, angle }) => at.up.dot(axis) - cos(angle),
             Some(Overturning::Beyond) => {
-                let Some(edge) = self.course.leans_over() else { return 1.0 };
+                let Some(edge) = self.motion.leans_over() else { return 1.0 };
                 // Horizontal parts, across the edge: from the foot to the mass centre, and to the middle of the supports.
                 let flat = |r: Vec3| r - at.up * r.dot(at.up) - edge * r.dot(edge);
                 flat(-at.from).dot(flat(self.middle - at.from))
@@ -84,42 +63,36 @@ impl<C: Course> Watch<'_, C> {
     }
 
     pub(super) fn height(&self, support: usize, at: &Posture) -> Height {
-        let height = self.course.height(self.world, support, at);
+        let height = self.motion.height(self.walker.world, support, at);
         Height { value: evaluated(Quantity::Gap, height.value), ..height }
     }
 
     /// Event functions that are looked at at nodes.
     fn smooth_events(&self) -> Vec<Event> {
-        let mut events = self.course.smooth_events();
+        let mut events = self.motion.smooth_events();
         events.extend(self.overturning.map(|_| Event::Overturns));
         events
     }
 
-    /// The first event within a step that starts `elapsed` after the stretch does.
-    pub(super) fn first_event(&self, step: &Step<C::Y>, elapsed: f64, effort: &mut Effort) -> Option<Found> {
-        let mut first: Option<Found> = None;
-        let place = |x: f64| {
-            let y = step.at(x);
-            let at = self.course.posture(&y, elapsed + x * step.length);
-            (y, at)
-        };
-        let posture = |x: f64| place(x).1;
+    /// The first event within a step.
+    pub(super) fn event_in(&mut self, step: &Step<C::Y>) -> Option<Found<Event>> {
+        let mut first: Option<Found<Event>> = None;
         for event in self.smooth_events() {
             let mut of = |x: f64| {
-                effort.event_evaluations += 1;
-                let (y, at) = place(x);
-                [self.value(&event, &y, &at)]
+                let (y, at) = self.place(step, x);
+                [self.value_at(&event, &y, &at)]
             };
-            let fall = first_fall(&mut of).map(|fall| Found { at: fall.at, event });
+            let fall = first_fall(&mut of).map(|fall| Found::at(fall.at, event));
             first = earlier(first, fall);
         }
-        let free = (0..self.world.body().supports().len()).filter(|i| !self.held.contains(*i));
+        first = first.map(|found| placed(self, step, found.event, found.at));
+        let held = self.held;
+        let free = (0..self.walker.world.body().supports().len()).filter(|i| !held.contains(*i));
         for support in free {
             let until = first.map_or(1.0, |found| found.at);
             let from = if self.departing.contains(support) {
                 let mut bend = |x: f64| {
-                    effort.event_evaluations += 1;
-                    let second = self.height(support, &posture(x)).second;
+                    let second = self.look(step, support, x).second;
                     // At the very start it may be zero, but for rounding.
                     [if x == 0.0 { second.max(0.0) } else { second }]
                 };
@@ -127,8 +100,7 @@ impl<C: Course> Watch<'_, C> {
             } else {
                 0.0
             };
-            let touch = self.march((support, from, until), step.length, &posture, effort);
-            first = touch.or(first);
+            first = self.march(step, (support, from, until)).or(first);
         }
         first
     }
@@ -138,76 +110,43 @@ impl<C: Course> Watch<'_, C> {
     /// From a height h, its rate and a bound B on the size of its acceleration the plane is not reached for a while; and it is certain to be reached
     /// where `ḣ < 0` and `2 B h < ḣ²`.
     fn march(
-        &self,
+        &mut self,
+        step: &Step<C::Y>,
         (support, from, until): (usize, f64, f64),
-        length: f64,
-        posture: &impl Fn(f64) -> Posture,
-        effort: &mut Effort,
-    ) -> Option<Found> {
-        let arm = self.world.body().supports()[support];
+    ) -> Option<Found<Event>> {
+        let arm = self.walker.world.body().supports()[support];
+        let length = step.length;
         let mut x = from;
         while x < until {
-            let at = posture(x);
+            let at = self.place(step, x).1;
             let height = self.height(support, &at);
             // It is noted, and nothing can be said of what comes after.
             if height.value.is_nan() {
                 return None;
             }
-            let bend = self.course.bend(&at, arm, (until - x) * length);
-            effort.event_evaluations += 1;
+            let bend = self.motion.bend(&at, arm, (until - x) * length);
             if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
                 let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
-                let mut look = |x: f64| {
-                    effort.event_evaluations += 1;
-                    self.height(support, &posture(x))
-                };
-                let at = root_between(ends, length, &mut look);
-                return (at < until).then_some(Found { at, event: Event::Touches(support) });
+                let at = root_between(ends, length, &mut |x| self.look(step, support, x));
+                return (at < until).then_some(Found::at(at, Event::Touches(support)));
             }
             x += (height.safe(bend) / length).max(LEAST_MARCH);
         }
         None
     }
 
-    /// Steps TO the event: returns the length of the step that ends there, and its end.
-    pub(super) fn polish(
-        &self,
-        step: &Step<C::Y>,
-        found: &Found,
-        elapsed: f64,
-        effort: &mut Effort,
-    ) -> (f64, C::Y) {
-        let mut look = |length: f64| {
-            effort.evaluations += EVALUATIONS_PLAIN;
-            effort.event_evaluations += 1;
-            let end = self.course.advanced(step, length);
-            let at = self.course.posture(&end, elapsed + length);
-            let slope = match found.event {
-                Event::Touches(support) => Some(self.height(support, &at).rate),
-                _ => None,
-            };
-            (end, self.value(&found.event, &end, &at), slope)
-        };
-        let mut length = found.at * step.length;
-        let mut before: Option<(f64, f64)> = None;
-        for _ in 0..MOST_STEPS_TO_EVENT {
-            let (end, value, slope) = look(length);
-            // The rate of a height is known; other event functions need a secant, and the first one a second point near by.
-            let slope = slope.unwrap_or_else(|| {
-                let (at, was) = before.filter(|(at, _)| *at != length).unwrap_or_else(|| {
-                    let at = length * (1.0 - FIRST_SECANT);
-                    (at, look(at).1)
-                });
-                (value - was) / (length - at)
-            });
-            let correction = -value / slope;
-            if !correction.is_finite() || correction.abs() <= CORRECTION_ROUNDING * length {
-                return (length, end);
-            }
-            before = Some((length, value));
-            length = (length + correction).clamp(0.0, 1.5 * step.length);
-        }
-        (length, look(length).0)
+    /// The motion at a fraction of a step.
+    fn place(&mut self, step: &Step<C::Y>, x: f64) -> (C::Y, Posture) {
+        self.walker.effort.event_evaluations += 1;
+        let y = step.at(x);
+        let at = self.motion.posture(&y, self.elapsed + x * step.length);
+        (y, at)
+    }
+
+    /// The height of a support at a fraction of a step.
+    fn look(&mut self, step: &Step<C::Y>, support: usize, x: f64) -> Height {
+        let at = self.place(step, x).1;
+        self.height(support, &at)
     }
 }
 
@@ -231,7 +170,7 @@ fn root_between([mut low, mut high]: [f64; 2], length: f64, look: &mut impl FnMu
     x
 }
 
-fn earlier(a: Option<Found>, b: Option<Found>) -> Option<Found> {
+fn earlier(a: Option<Found<Event>>, b: Option<Found<Event>>) -> Option<Found<Event>> {
     match (a, b) {
         (Some(x), Some(y)) => Some(if y.at < x.at { y } else { x }),
         (one, other) => one.or(other),

@@ -4,7 +4,7 @@
 //! instant the one in which friction lets it grow. The equations are then stiff, and at the start the direction of friction is that of the slip which only
 //! comes: an implicit step asks for it where the slip is.
 
-use super::course::Course;
+use super::motion::Motion;
 use super::sliding::{DIMENSIONS, Sliding, Vector};
 use super::slips::Slowing;
 use crate::tolerance::{

@@ -117,7 +117,7 @@ impl Walker<'_> {
             leads: &[],
         };
         let (sliding, first) = self.sliding_on(&carried)?;
-        self.state = super::course::Course::state(&sliding, &first, 0.0);
+        self.state = super::motion::Motion::state(&sliding, &first, 0.0);
         Ok(())
     }
 

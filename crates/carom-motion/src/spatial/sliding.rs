@@ -7,15 +7,15 @@
 use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 mod moment;
 
-use super::course::Course;
 use super::events::Event;
 use super::grip::MOST_BEARING;
 use super::mode::{Mode, normal_of};
+use super::motion::Motion;
 use super::posture::{Height, Posture};
 use super::slips::Slowing;
 use super::stretch::Heights;
 use super::{Body, Scales, State, Supports, World};
-use carom_num::ode8::{Step, step_plain};
+use carom_num::ode8::Step;
 use carom_num::{Rotation, Vec3};
 
 /// Turn (4), spin (3), the foot's way and slip (2 each), work of friction, spin about the plane's normal.
@@ -170,7 +170,7 @@ impl Sliding {
     }
 }
 
-impl Course for Sliding {
+impl Motion for Sliding {
     type Y = Vector;
 
     fn rate(&self, y: &Vector) -> Vector {
@@ -242,13 +242,9 @@ impl Course for Sliding {
         if self.is_stiff(y, rate) { self.implicit_step((y, rate), lengths, tolerance) } else { None }
     }
 
-    fn advanced(&self, step: &Step<Vector>, length: f64) -> Vector {
-        if self.is_stiff(&step.start, &step.start_rate)
-            && let Some(end) = self.implicit_end(&step.start, &step.start_rate, length)
-        {
-            return end;
-        }
-        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
+    fn stiff_end(&self, step: &Step<Vector>, length: f64) -> Option<Vector> {
+        let stiff = self.is_stiff(&step.start, &step.start_rate);
+        if stiff { self.implicit_end(&step.start, &step.start_rate, length) } else { None }
     }
 
     fn stops(&self, y: &Vector, rate: &Vector) -> Option<(f64, Vector)> {

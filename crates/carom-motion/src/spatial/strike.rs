@@ -2,7 +2,7 @@
 
 use super::closing::Closed;
 use super::contacts::{Answer, Way};
-use super::course::Course;
+use super::motion::Motion;
 use super::posture::Height;
 use super::run::{Clock, End, Impact};
 use super::state::measured;

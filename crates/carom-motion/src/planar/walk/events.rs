@@ -1,6 +1,5 @@
-//! The events of a mode: found on the dense output of a step, polished by stepping to them.
+//! What ends a piece of a mode: an event function, or an obstacle that is met.
 use super::glide::MOST_STEPS;
-use super::nodes::Seen;
 use super::path::Stretch;
 use super::walker::Walker;
 use crate::evaluated::{Quantity, evaluated};
@@ -15,7 +14,6 @@ use crate::planar::modes::{
 };
 use crate::tolerance::{APPROACH_PART, GRAZING_PART, GRAZING_STEP, MET_GAP, STEP_PAST_TOUCH, TOUCHING_GAP};
 use carom_num::Vec2;
-use carom_num::ode8::Step;
 
 /// The states of several bodies as the integration takes them.
 pub(super) type Vector<const B: usize> = [[f64; 6]; B];
@@ -48,65 +46,12 @@ pub(super) enum Event {
     Meets(Pairing),
 }
 
-/// An event within a step: where, as a length from the step's start.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
-    pub(super) length: f64,
-    /// Slope of the event function there, per second.
-    pub(super) slope: f64,
-    pub(super) event: Event,
-}
-
-/// Where a step to an event ends.
-pub(super) struct Reached<const B: usize> {
-    /// Length from the step's start [s].
-    pub(super) length: f64,
-    pub(super) state: Vector<B>,
-}
-
 /// Steps towards an obstacle after which what grazes it counts as met: one that is not grazed takes tens.
 const MOST_GRAZING_STEPS: u32 = 1000;
 /// Doublings of the steps along what grazes for long.
 const MOST_DOUBLINGS: u32 = 30;
 
 impl<const B: usize> Walker<'_, B> {
-    /// The first event within a step.
-    pub(super) fn event_in(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        list: &mut WatchList<'_>,
-        seen: &mut Seen<B>,
-    ) -> Option<Found> {
-        let bounds = self.look_over(tried, list, seen);
-        let watched = self.watched_event_in(tried, list, seen);
-        let until = watched.as_ref().map_or(1.0, |found| found.length / tried.length);
-        match self.first_meeting(tried, until, &bounds) {
-            Some((x, pair)) => Some(self.placed(tried, Event::Meets(pair), x, seen)),
-            None => watched,
-        }
-    }
-
-    /// The first event function that falls within a step.
-    fn watched_event_in(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        list: &mut WatchList<'_>,
-        seen: &mut Seen<B>,
-    ) -> Option<Found> {
-        loop {
-            let (x, w) = self.first_fall(tried, list, seen)?;
-            let found = self.placed(tried, Event::Watched(w), x, seen);
-            let found = self.not_after_another(tried, list, found, seen);
-            let Event::Watched(Watched { what: Watch::Gap(pair), .. }) = found.event else {
-                return Some(found);
-            };
-            if !self.has_run_off(pair, &unpack(&tried.at(found.length / tried.length))) {
-                return Some(found);
-            }
-            self.watch_no_more(pair, list);
-        }
-    }
-
     /// Forgets a pair that has opened and has left its features since: what falls to zero is the distance of a point and a line elsewhere.
     pub(super) fn watch_no_more(&mut self, pair: Pairing, list: &mut WatchList<'_>) {
         self.departing.retain(|opened| *opened != pair);

@@ -1,12 +1,10 @@
 //! Motion with contacts held: integration, its events, and what follows them.
 
 use super::events::{Event, Vector, pack, rate, unpack};
-use super::nodes::Seen;
+use super::gliding::{Gliding, Over};
 use super::path::{Course, Stretch};
 use super::terms::{Happening, MotionError};
 use super::walker::Walker;
-use crate::evaluated::watched;
-use crate::planar::contact::kinematics::turns;
 use crate::planar::geometry::{Feature, State};
 use crate::planar::modes::{
     mode::{Forces, Held},
@@ -16,10 +14,11 @@ use crate::planar::record::{
     observer::{Observers, is_dense, wants_slips},
     trace::{ContactSample, PieceEnd},
 };
-use crate::tolerance::{CLEARLY_OPEN, FIRST_STEP_TOLERANCE, LOST_STEP, SHORTEST_STEP};
+use crate::tolerance::{CLEARLY_OPEN, FIRST_STEP_TOLERANCE};
 use carom_impact::planar::Slip;
+use carom_num::course::{Lost, Stop, follow};
 use carom_num::elementary::pow;
-use carom_num::ode8::{EVALUATIONS_DENSE, EVALUATIONS_PLAIN, Step, length_factor, step_plain};
+use carom_num::ode8::Step;
 use std::sync::Arc;
 
 /// Most steps of one piece. Common pieces take some tens. A piece that takes more than these, a second of work, follows a motion whose own times are
@@ -55,63 +54,35 @@ impl<const B: usize> Walker<'_, B> {
         let (start_time, start) = (self.time, self.states);
         self.report_start(observers);
         self.report_slips(observers);
-        let mut seen = Seen::default();
-        self.note_watched(list, &mut seen);
-        let mut y = pack(&self.states);
-        self.effort.evaluations += 1;
-        let mut f = rate(&y, &seen.forces.acceleration);
         self.sample_here(observers);
-        let mut length = self.first_length(list);
-        let steady = self.is_steady();
-        seen.steady = steady;
-        let mut swing = self.swing();
-        for _ in 0..MOST_STEPS {
-            if self.time >= self.options.most_time {
-                self.states = unpack(&y);
-                self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
-                return Ok(Happening::BudgetSpent);
-            }
-            length = length.min(self.options.most_time - self.time);
-            let (tried, next) = match self.next_step(&y, &f, length, steady, &mut seen) {
-                // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
-                Err(MotionError::StepTooSmall { .. }) if self.slips() => {
-                    return self.jam_dynamically(start_time, &start, observers);
-                }
-                other => other?,
-            };
-            if let Some(found) = self.event_in(&tried, list, &mut seen) {
-                let end = self.polish((&tried, steady), &found, &mut seen);
-                let begin = self.time;
-                self.note_step(tried, end.length, observers);
+        let mut gliding = Gliding::from(self, list, observers);
+        let y = pack(&start);
+        gliding.walker.effort.evaluations += 1;
+        let (f, length) = (rate(&y, &gliding.forces.acceleration), gliding.walker.first_length(gliding.list));
+        match follow(&mut gliding, (y, f), length, MOST_STEPS as usize) {
+            Ok(Stop::Event { event, y, step, length }) => {
                 if is_dense(observers) {
-                    self.sample_stretch(&tried, (end.length / tried.length, true), observers);
+                    self.sample_stretch(&step, (length / step.length, true), observers);
                 }
-                self.time = begin + end.length;
-                self.states = self.projected(&unpack(&end.state));
+                self.note_step(step, length, observers);
+                self.time += length;
+                self.states = self.projected(&unpack(&y));
                 self.sample_here(observers);
                 self.report_slips(observers);
-                self.report_piece(start_time, &start, |b| self.piece_end(&found.event, b), observers);
-                return self.resolve(&found.event, observers);
+                self.report_piece(start_time, &start, |b| self.piece_end(&event, b), observers);
+                self.resolve(&event, observers)
             }
-            if is_dense(observers) {
-                self.sample_stretch(&tried, (1.0, false), observers);
+            Ok(Stop::End(Over::TimeUp)) => {
+                self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
+                Ok(Happening::BudgetSpent)
             }
-            self.note_step(tried, tried.length, observers);
-            self.time += tried.length;
-            let states = self.projected(&unpack(&tried.end));
-            y = pack(&states);
-            f = tried.end_rate;
-            length = next;
-            self.states = states;
-            self.report_slips(observers);
-            if swing.as_mut().is_some_and(|swing| swing.comes_back(&states[0])) {
-                return Ok(self.swings(start_time, &start, observers));
-            }
-            if self.forget_left(&states) {
-                self.note_watched(list, &mut seen);
-            }
+            Ok(Stop::End(Over::Swings)) => Ok(self.swings(start_time, &start, observers)),
+            // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
+            Err(Lost::Short(_)) if self.slips() => self.jam_dynamically(start_time, &start, observers),
+            Err(Lost::Short(step)) => Err(MotionError::StepTooSmall { time: self.time, step }),
+            Err(Lost::Number) => Err(MotionError::NotFinite { time: self.time }),
+            Err(Lost::Steps) => Err(MotionError::TooManySteps { time: self.time, steps: MOST_STEPS }),
         }
-        Err(MotionError::TooManySteps { time: self.time, steps: MOST_STEPS })
     }
 
     /// A first step to try: long where two contacts of one face leave only a steady slide, shorter where one of them nears the face's middle,
@@ -128,11 +99,6 @@ impl<const B: usize> Walker<'_, B> {
         };
         // A hop that is over soon must not be a speck at the start of a long step.
         self.scales.time * (2.0 * list.returns).min(times)
-    }
-
-    /// The rates of the present mode.
-    pub(super) fn rates(&self) -> impl Fn(&Vector<B>) -> Vector<B> + '_ {
-        |y| rate(y, &self.world.accelerate(&self.held, &unpack(y)))
     }
 
     fn slips(&self) -> bool {
@@ -183,74 +149,12 @@ impl<const B: usize> Walker<'_, B> {
         }
     }
 
-    /// Notes the event functions from here on; leaves the forces here in `seen`.
-    fn note_watched(&self, list: &mut WatchList<'_>, seen: &mut Seen<B>) {
-        seen.forget();
-        self.note_watched_with(list, &mut seen.forces);
-    }
-
     /// Notes the event functions from here on; leaves the forces here in `forces`.
     pub(super) fn note_watched_with(&self, list: &mut WatchList<'_>, forces: &mut Forces<B>) {
         let turns = self.turns();
         self.world.forces_into(&self.held, &self.states, &turns, forces);
         list.begin(self.time, (self.stalls > MOST_STALLS, self.options.significant()));
         list.note(&self.world, (&self.states, &turns), forces, &self.departing);
-    }
-
-    /// A step that can be relied on, and the length to try next.
-    fn next_step(
-        &mut self,
-        y: &Vector<B>,
-        f: &Vector<B>,
-        length: f64,
-        steady: bool,
-        seen: &mut Seen<B>,
-    ) -> Result<(Step<Vector<B>>, f64), MotionError> {
-        if steady {
-            return Ok((self.steady_step(y, f, length), 2.0 * length));
-        }
-        self.accepted_step(*y, *f, length, seen)
-    }
-
-    /// A step whose error is within tolerance, and the length to try next.
-    fn accepted_step(
-        &mut self,
-        y: Vector<B>,
-        f: Vector<B>,
-        mut length: f64,
-        seen: &mut Seen<B>,
-    ) -> Result<(Step<Vector<B>>, f64), MotionError> {
-        let (l, v, rtol) = (self.scales.length, self.scales.speed, self.options.tolerance);
-        let tolerance = self.states.map(|state| {
-            let speed = v.max(state.twist.velocity.norm());
-            let spin = (speed / l).max(state.twist.spin.abs());
-            [rtol * l, rtol * l, rtol, rtol * speed, rtol * speed, rtol * spin]
-        });
-        loop {
-            let (world, held) = (&*self.world, &self.held);
-            let (tried, lost) = watched(|| step_plain(y, f, length, self.rates()));
-            self.effort.evaluations += EVALUATIONS_PLAIN;
-            let error = tried.scaled_error(&tolerance);
-            // A number that is lost on the way to a place too far off is lost with the step.
-            if error <= 1.0 && !lost {
-                self.effort.steps += 1;
-                self.effort.evaluations += EVALUATIONS_DENSE;
-                let states = unpack(&tried.end);
-                let end = seen.end.get_or_insert_default();
-                world.forces_into(held, &states, &turns(&states), end);
-                let end_rate = rate(&tried.end, &end.acceleration);
-                let step = tried.with_dense(end_rate, self.rates());
-                return Ok((step, length * length_factor(error)));
-            }
-            let astray = lost || !tried.end.iter().flatten().all(|v| v.is_finite());
-            if astray && length < LOST_STEP * self.scales.time {
-                return Err(MotionError::NotFinite { time: self.time });
-            }
-            length *= if error.is_finite() && !lost { length_factor(error).min(0.9) } else { 0.2 };
-            if length < SHORTEST_STEP * self.scales.time {
-                return Err(MotionError::StepTooSmall { time: self.time, step: length });
-            }
-        }
     }
 
     /// Drops pairs that have clearly opened; true where that changes what is watched.
@@ -297,7 +201,7 @@ impl<const B: usize> Walker<'_, B> {
     }
 
     /// Notes the first part of a step, of this length [s], for those who want to know.
-    fn note_step(&mut self, step: Step<Vector<B>>, length: f64, observers: &mut Observers<'_, B>) {
+    pub(super) fn note_step(&mut self, step: Step<Vector<B>>, length: f64, observers: &mut Observers<'_, B>) {
         self.show_along(&step, length, observers);
         self.note_leg(length, || Course::Along(Arc::new(step)));
     }

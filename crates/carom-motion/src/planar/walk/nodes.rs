@@ -1,6 +1,7 @@
 //! The event functions at the nodes of a step, and the first place where one of them falls through zero.
 
 use super::events::{Vector, unpack};
+use super::gliding::Gliding;
 use super::walker::Walker;
 use crate::planar::contact::{
     kinematics::{Turn, turns},
@@ -10,7 +11,7 @@ use crate::planar::geometry::State;
 use crate::planar::modes::{
     mode::Forces,
     snapshot::Snapshot,
-    watch::{Row, WatchList, Watched},
+    watch::{Row, Watched},
 };
 use crate::tolerance::{JUST_LEFT, LEAVES_DOWNWARD};
 use carom_num::Vec2;
@@ -22,26 +23,6 @@ use carom_num::poly::NODES;
 const UNSEEN: f64 = 4.0;
 /// Event functions that are halved together.
 const MOST_DOUBTS: usize = 16;
-
-/// What has been seen of a mode's motion: places for its forces, used again and again, and what one step leaves to the next.
-#[derive(Default)]
-pub(super) struct Seen<const B: usize> {
-    /// The forces where the motion was looked at last; at first those with which the event functions were noted.
-    pub(super) forces: Forces<B>,
-    /// The forces at the end of the step that is being examined.
-    pub(super) end: Option<Forces<B>>,
-    /// The acceleration stays what it is.
-    pub(super) steady: bool,
-    /// Bounds on the motion up to now: the event functions at the end of the last step are those at the start of the next.
-    so_far: Option<[Bounds; B]>,
-}
-
-impl<const B: usize> Seen<B> {
-    /// Other event functions are watched from here on.
-    pub(super) fn forget(&mut self) {
-        (self.end, self.so_far) = (None, None);
-    }
-}
 
 /// True where the quadratic through nodes 0, 2 and 4 stays above zero by more than what it cannot show.
 fn far_from_zero(row: &[f64; 5]) -> bool {
@@ -120,42 +101,37 @@ impl Doubts {
     }
 }
 
-impl<const B: usize> Walker<'_, B> {
+impl<const B: usize> Gliding<'_, '_, '_, '_, B> {
     /// Looks at the event functions at the nodes of a step; returns bounds on the motion. The two nodes between the middle and the ends are
     /// left out where the other three show that nothing comes near zero.
-    pub(super) fn look_over(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        list: &mut WatchList<'_>,
-        seen: &mut Seen<B>,
-    ) -> [Bounds; B] {
+    pub(super) fn look_over(&mut self, tried: &Step<Vector<B>>) -> [Bounds; B] {
         let mut bounds = [Bounds { horizon: tried.length, ..Bounds::default() }; B];
-        let known = seen.so_far.is_some();
-        if let Some(so_far) = seen.so_far {
+        let known = self.so_far.is_some();
+        if let Some(so_far) = self.so_far {
             bounds = so_far.map(|known| Bounds { horizon: tried.length, ..known });
-            list.iter_mut().for_each(|row| row.values[0] = row.values[4]);
+            self.list.iter_mut().for_each(|row| row.values[0] = row.values[4]);
         }
-        list.clear = true;
+        self.list.clear = true;
         for node in if known { &[2, 4][..] } else { &[0, 2, 4] } {
-            self.look_at_all(tried, *node, list, seen, &mut bounds);
+            self.look_at_all(tried, *node, &mut bounds);
         }
-        seen.so_far = Some(bounds);
-        let leaves = |row: &Row| self.leaves_at(&row.watched, tried, 0.0);
-        if !list.iter().all(|row| !leaves(row) && far_from_zero(&row.values)) {
+        self.so_far = Some(bounds);
+        let leaves = |row: &Row| self.walker.leaves_at(&row.watched, tried, 0.0);
+        if !self.list.iter().all(|row| !leaves(row) && far_from_zero(&row.values)) {
             for node in [1, 3] {
-                self.look_at_all(tried, node, list, seen, &mut bounds);
+                self.look_at_all(tried, node, &mut bounds);
             }
-            list.clear = false;
-            self.continue_to_start(tried, 0.0, list.rows_mut());
+            self.list.clear = false;
+            self.walker.continue_to_start(tried, 0.0, self.list.rows_mut());
         }
-        if seen.steady {
+        if self.steady {
             return self.steady_bounds(tried);
         }
         // The nodes are samples: leave room between them.
-        let gravity = self.world.gravity.norm();
+        let gravity = self.walker.world.gravity.norm();
         for bounds in &mut bounds {
             bounds.acceleration = 1.5 * bounds.acceleration + 0.1 * gravity;
-            bounds.angular = 1.5 * bounds.angular + 0.1 * gravity / self.scales.length;
+            bounds.angular = 1.5 * bounds.angular + 0.1 * gravity / self.walker.scales.length;
             bounds.spin += bounds.angular * tried.length;
             bounds.speed += bounds.acceleration * tried.length;
         }
@@ -179,43 +155,137 @@ impl<const B: usize> Walker<'_, B> {
         })
     }
 
+    /// All event functions at one node of a step, and what they say of the bounds.
+    fn look_at_all(&mut self, tried: &Step<Vector<B>>, node: usize, bounds: &mut [Bounds; B]) {
+        let states = unpack(&tried.at(NODES[node]));
+        let turns = turns(&states);
+        let known = self.end.as_ref().filter(|_| node == 4);
+        // The start is looked at only where the list has just been made: the forces there are those it was made with.
+        if known.is_none() && node != 0 {
+            self.walker.effort.evaluations += 1;
+            self.walker.world.forces_into(&self.walker.held, &states, &turns, &mut self.forces);
+        }
+        let forces = known.unwrap_or(&self.forces);
+        let time = self.walker.time + NODES[node] * tried.length;
+        let snapshot = self.walker.snapshot(time, (&states, &turns), Some(forces));
+        let mut looked = 0;
+        for row in self.list.iter_mut() {
+            row.values[node] = snapshot.value(&row.watched);
+            looked += 1;
+        }
+        self.walker.effort.event_evaluations += looked;
+        for ((bounds, acceleration), state) in bounds.iter_mut().zip(forces.acceleration).zip(&states) {
+            bounds.acceleration = bounds.acceleration.max(acceleration.linear.norm());
+            bounds.angular = bounds.angular.max(acceleration.angular.abs());
+            bounds.spin = bounds.spin.max(state.twist.spin.abs());
+            bounds.speed = bounds.speed.max(state.twist.velocity.norm());
+        }
+    }
+
+    /// Some event functions at one node of a part of a step.
+    fn look_at(&mut self, tried: &Step<Vector<B>>, part: Part, node: usize, rows: &mut [Option<Row>]) {
+        let at = part.place(NODES[node]);
+        let states = unpack(&tried.at(at));
+        let turns = turns(&states);
+        let asked = rows.iter().flatten().any(|row| row.watched.what.asks_forces());
+        if asked {
+            self.walker.effort.evaluations += 1;
+            self.walker.world.forces_into(&self.walker.held, &states, &turns, &mut self.forces);
+        }
+        let forces = asked.then_some(&self.forces);
+        let snapshot = self.walker.snapshot(self.walker.time + at * tried.length, (&states, &turns), forces);
+        let mut looked = 0;
+        for row in rows.iter_mut().flatten() {
+            row.values[node] = snapshot.value(&row.watched);
+            looked += 1;
+        }
+        self.walker.effort.event_evaluations += looked;
+    }
+
+    /// The first place in a step where an event function falls through zero.
+    pub(super) fn first_fall(&mut self, tried: &Step<Vector<B>>) -> Option<(f64, Watched)> {
+        if self.list.clear {
+            return None;
+        }
+        let (first, doubtful) = verdict(self.list.iter(), Part::WHOLE);
+        if !doubtful {
+            return first;
+        }
+        // Where one is doubtful, what the nodes say of the others is not believed either.
+        let mut first = None;
+        for known in (0..).step_by(MOST_DOUBTS) {
+            let mut doubts = Doubts::none();
+            self.list.iter().skip(known).take(MOST_DOUBTS).for_each(|row| doubts.push(*row));
+            if doubts.len == 0 {
+                break;
+            }
+            first = earlier(first, self.halved(tried, &doubts, Part::WHOLE, first));
+        }
+        first
+    }
+
+    /// The first fall of one of these within a part of a step, by halves, up to where one is known already.
+    fn halved(
+        &mut self,
+        tried: &Step<Vector<B>>,
+        doubts: &Doubts,
+        part: Part,
+        known: Option<(f64, Watched)>,
+    ) -> Option<(f64, Watched)> {
+        for (part, ends) in part.halves().into_iter().zip([[0, 2], [2, 4]]) {
+            if known.is_some_and(|(x, _)| x <= part.from) {
+                return None;
+            }
+            let mut rows = *doubts;
+            for row in rows.rows_mut().iter_mut().flatten() {
+                (row.values[0], row.values[4]) = (row.values[ends[0]], row.values[ends[1]]);
+            }
+            if let Some(found) = self.fall_in(tried, &mut rows, part, known) {
+                return Some(found);
+            }
+        }
+        None
+    }
+
+    /// The first fall of one of these, whose values at the ends of a part of a step are known, within that part.
+    fn fall_in(
+        &mut self,
+        tried: &Step<Vector<B>>,
+        rows: &mut Doubts,
+        part: Part,
+        known: Option<(f64, Watched)>,
+    ) -> Option<(f64, Watched)> {
+        self.look_at(tried, part, 2, rows.rows_mut());
+        let leaves = |row: &Row| self.walker.leaves_at(&row.watched, tried, part.from);
+        if rows.iter().all(|row| !leaves(row) && far_from_zero(&row.values)) {
+            return None;
+        }
+        for node in [1, 3] {
+            self.look_at(tried, part, node, rows.rows_mut());
+        }
+        self.walker.continue_to_start(tried, part.from, rows.rows_mut());
+        let (first, doubtful) = verdict(rows.iter(), part);
+        if !doubtful {
+            return first;
+        }
+        self.halved(tried, rows, part, known)
+    }
+}
+
+impl<const B: usize> Walker<'_, B> {
     /// True where a quantity has just left zero at a place of a step.
     fn leaves_at(&self, w: &Watched, tried: &Step<Vector<B>>, at: f64) -> bool {
         let time = self.time + at * tried.length;
         w.leaving.is_some_and(|l| time - l.since <= JUST_LEFT * tried.length)
     }
 
-    /// All event functions at one node of a step, and what they say of the bounds.
-    fn look_at_all(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        node: usize,
-        list: &mut WatchList<'_>,
-        seen: &mut Seen<B>,
-        bounds: &mut [Bounds; B],
-    ) {
-        let states = unpack(&tried.at(NODES[node]));
-        let turns = turns(&states);
-        let known = seen.end.as_ref().filter(|_| node == 4);
-        // The start is looked at only where the list has just been made: the forces there are those it was made with.
-        if known.is_none() && node != 0 {
-            self.effort.evaluations += 1;
-            self.world.forces_into(&self.held, &states, &turns, &mut seen.forces);
-        }
-        let forces = known.unwrap_or(&seen.forces);
-        let time = self.time + NODES[node] * tried.length;
-        let snapshot = self.snapshot(time, (&states, &turns), Some(forces));
-        let mut looked = 0;
-        for row in list.iter_mut() {
-            row.values[node] = snapshot.value(&row.watched);
-            looked += 1;
-        }
-        self.effort.event_evaluations += looked;
-        for ((bounds, acceleration), state) in bounds.iter_mut().zip(forces.acceleration).zip(&states) {
-            bounds.acceleration = bounds.acceleration.max(acceleration.linear.norm());
-            bounds.angular = bounds.angular.max(acceleration.angular.abs());
-            bounds.spin = bounds.spin.max(state.twist.spin.abs());
-            bounds.speed = bounds.speed.max(state.twist.velocity.norm());
+    /// What has just left zero is 0/0 at the very start: the cubic through the other nodes continues it.
+    fn continue_to_start(&self, tried: &Step<Vector<B>>, from: f64, rows: &mut [Option<Row>]) {
+        for row in rows.iter_mut().flatten() {
+            if self.leaves_at(&row.watched, tried, from) {
+                let known = row.watched.leaving.and_then(|leaving| leaving.first);
+                row.values[0] = known.unwrap_or_else(|| extrapolated(&row.values));
+            }
         }
     }
 
@@ -230,119 +300,6 @@ impl<const B: usize> Walker<'_, B> {
         let heaviest = world.bodies.iter().map(|b| b.mass).fold(0.0, f64::max);
         let weight = heaviest * scales.speed * scales.speed / scales.length;
         Snapshot { world, scales, held, time, states, turns, forces, weight }
-    }
-
-    /// Some event functions at one node of a part of a step.
-    fn look_at(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        part: Part,
-        node: usize,
-        rows: &mut [Option<Row>],
-        seen: &mut Seen<B>,
-    ) {
-        let at = part.place(NODES[node]);
-        let states = unpack(&tried.at(at));
-        let turns = turns(&states);
-        let asked = rows.iter().flatten().any(|row| row.watched.what.asks_forces());
-        if asked {
-            self.effort.evaluations += 1;
-            self.world.forces_into(&self.held, &states, &turns, &mut seen.forces);
-        }
-        let forces = asked.then_some(&seen.forces);
-        let snapshot = self.snapshot(self.time + at * tried.length, (&states, &turns), forces);
-        let mut looked = 0;
-        for row in rows.iter_mut().flatten() {
-            row.values[node] = snapshot.value(&row.watched);
-            looked += 1;
-        }
-        self.effort.event_evaluations += looked;
-    }
-
-    /// What has just left zero is 0/0 at the very start: the cubic through the other nodes continues it.
-    fn continue_to_start(&self, tried: &Step<Vector<B>>, from: f64, rows: &mut [Option<Row>]) {
-        for row in rows.iter_mut().flatten() {
-            if self.leaves_at(&row.watched, tried, from) {
-                let known = row.watched.leaving.and_then(|leaving| leaving.first);
-                row.values[0] = known.unwrap_or_else(|| extrapolated(&row.values));
-            }
-        }
-    }
-
-    /// The first place in a step where an event function falls through zero.
-    pub(super) fn first_fall(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        list: &WatchList<'_>,
-        seen: &mut Seen<B>,
-    ) -> Option<(f64, Watched)> {
-        if list.clear {
-            return None;
-        }
-        let (first, doubtful) = verdict(list.iter(), Part::WHOLE);
-        if !doubtful {
-            return first;
-        }
-        // Where one is doubtful, what the nodes say of the others is not believed either.
-        let mut first = None;
-        let mut rows = list.iter();
-        loop {
-            let mut doubts = Doubts::none();
-            rows.by_ref().take(MOST_DOUBTS).for_each(|row| doubts.push(*row));
-            if doubts.len == 0 {
-                return first;
-            }
-            first = earlier(first, self.halved(tried, &doubts, Part::WHOLE, first, seen));
-        }
-    }
-
-    /// The first fall of one of these within a part of a step, by halves, up to where one is known already.
-    fn halved(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        doubts: &Doubts,
-        part: Part,
-        known: Option<(f64, Watched)>,
-        seen: &mut Seen<B>,
-    ) -> Option<(f64, Watched)> {
-        for (part, ends) in part.halves().into_iter().zip([[0, 2], [2, 4]]) {
-            if known.is_some_and(|(x, _)| x <= part.from) {
-                return None;
-            }
-            let mut rows = *doubts;
-            for row in rows.rows_mut().iter_mut().flatten() {
-                (row.values[0], row.values[4]) = (row.values[ends[0]], row.values[ends[1]]);
-            }
-            if let Some(found) = self.fall_in(tried, &mut rows, part, known, seen) {
-                return Some(found);
-            }
-        }
-        None
-    }
-
-    /// The first fall of one of these, whose values at the ends of a part of a step are known, within that part.
-    fn fall_in(
-        &mut self,
-        tried: &Step<Vector<B>>,
-        rows: &mut Doubts,
-        part: Part,
-        known: Option<(f64, Watched)>,
-        seen: &mut Seen<B>,
-    ) -> Option<(f64, Watched)> {
-        self.look_at(tried, part, 2, rows.rows_mut(), seen);
-        let leaves = |row: &Row| self.leaves_at(&row.watched, tried, part.from);
-        if rows.iter().all(|row| !leaves(row) && far_from_zero(&row.values)) {
-            return None;
-        }
-        for node in [1, 3] {
-            self.look_at(tried, part, node, rows.rows_mut(), seen);
-        }
-        self.continue_to_start(tried, part.from, rows.rows_mut());
-        let (first, doubtful) = verdict(rows.iter(), part);
-        if !doubtful {
-            return first;
-        }
-        self.halved(tried, rows, part, known, seen)
     }
 }
 

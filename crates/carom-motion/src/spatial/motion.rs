@@ -7,10 +7,10 @@ use super::posture::{Height, Posture};
 use super::stretch::Stretch;
 use super::{State, World};
 use carom_num::Vec3;
-use carom_num::ode8::{self, Step, step_plain};
+use carom_num::ode8::{self, Step};
 
 /// A stretch of motion.
-pub(super) trait Course {
+pub(super) trait Motion {
     /// What is integrated.
     type Y: ode8::Vector;
 
@@ -30,13 +30,17 @@ pub(super) trait Course {
     /// at most the other length.
     fn stiff_step(
         &self,
-        at: (&Self::Y, &Self::Y),
-        lengths: (f64, f64),
-        tolerance: &Self::Y,
-    ) -> Option<(Step<Self::Y>, f64)>;
+        _at: (&Self::Y, &Self::Y),
+        _lengths: (f64, f64),
+        _tolerance: &Self::Y,
+    ) -> Option<(Step<Self::Y>, f64)> {
+        None
+    }
 
-    /// The end of a step of another length from the same start.
-    fn advanced(&self, step: &Step<Self::Y>, length: f64) -> Self::Y;
+    /// The end of such a step of another length from the same start.
+    fn stiff_end(&self, _step: &Step<Self::Y>, _length: f64) -> Option<Self::Y> {
+        None
+    }
 
     /// How long a slip that comes to its end still takes \[s\], and the motion where it ends; `None` where no slip comes to its end.
     fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<(f64, Self::Y)>;
@@ -105,7 +109,7 @@ impl Standing {
     }
 }
 
-impl Course for Standing {
+impl Motion for Standing {
     type Y = Vector;
 
     fn rate(&self, y: &Vector) -> Vector {
@@ -123,14 +127,6 @@ impl Course for Standing {
 
     fn longest(&self, _: &Vector, _: &Vector) -> f64 {
         f64::INFINITY
-    }
-
-    fn stiff_step(&self, _: (&Vector, &Vector), _: (f64, f64), _: &Vector) -> Option<(Step<Vector>, f64)> {
-        None
-    }
-
-    fn advanced(&self, step: &Step<Vector>, length: f64) -> Vector {
-        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
     }
 
     fn stops(&self, _: &Vector, _: &Vector) -> Option<(f64, Vector)> {
