@@ -1,12 +1,17 @@
 //! A smooth course, followed to its first event.
 //!
-//! A [`Course`] is a system of equations and the functions that are positive as long as they hold. [`follow`] makes [steps](step) of [order 8](crate::ode8)
-//! within a tolerance, asks the course for the first event in the dense output of each, and steps TO the event: the end is that of a step, not of an
-//! interpolant.
+//! [`walk`] is the loop: step after step of a [`Stepper`], each looked through for the first event, until one happens, the end is known, or a budget is spent. A
+//! stepper may have the whole step as a series in time.
+//!
+//! Where it has not, it is a [`Course`]: a system of equations and the functions that are positive as long as they hold. [`follow`] makes [steps](step) of
+//! [order 8](crate::ode8) within a tolerance, asks the course for the first event in the dense output of each, and steps TO the event: the end is that of a step, not of
+//! an interpolant.
 
 mod reach;
+mod stepper;
 
 pub use reach::{Found, placed};
+pub use stepper::{Lost, Stepper, Stop, walk};
 
 use crate::ode8::{Step, Trial, Vector, length_factor, step_plain};
 use reach::reach;
@@ -118,63 +123,23 @@ impl<Y: Vector> Pace<Y> {
     }
 }
 
-/// Where a course was left.
+/// An event, and where a course meets it.
 ///
 /// # Example
 /// See [`follow`].
 #[derive(Clone, Copy, Debug)]
-pub enum Stop<Y, Event, End> {
-    /// Something happened.
-    Event {
-        /// What.
-        event: Event,
-        /// The state there: the end of a step.
-        y: Y,
-        /// The step in which it happened, as it was made.
-        step: Step<Y>,
-        /// How long after the start of that step.
-        length: f64,
-    },
-    /// [`Course::end`] knew the rest.
-    End(End),
+pub struct Reached<Y, Event> {
+    /// What happens.
+    pub event: Event,
+    /// How long after the start of the step in which it happens.
+    pub length: f64,
+    /// The state there: the end of a step.
+    pub y: Y,
 }
 
-/// Why a course has no end.
-///
-/// # Example
-/// A course without events is given up by its budget.
-/// ```
-/// use carom_num::course::{Course, Found, Lost, Pace, follow};
-/// use carom_num::ode8::Step;
-/// struct Rest;
-/// impl Course for Rest {
-///     type Y = [f64; 1];
-///     type Event = ();
-///     type End = ();
-///     fn rate(&mut self, _: &[f64; 1]) -> [f64; 1] {
-///         [0.0]
-///     }
-///     fn first_event(&mut self, _: &Step<[f64; 1]>) -> Result<Option<Found<()>>, Lost> {
-///         Ok(None)
-///     }
-///     fn value(&mut self, _: &(), _: f64, _: &[f64; 1]) -> f64 {
-///         1.0
-///     }
-///     fn pace(&self, _: &[f64; 1], _: &[f64; 1]) -> Pace<[f64; 1]> {
-///         Pace::within([1e-9])
-///     }
-/// }
-/// assert!(matches!(follow(&mut Rest, ([0.0], [0.0]), 1.0, 10), Err(Lost::Steps)));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Lost {
-    /// No event within the steps that were allowed.
-    Steps,
-    /// Steps would have to be shorter than [`Pace::shortest`]: the length that would come next.
-    Short(f64),
-    /// A number was lost, and a shorter step does not bring it back.
-    Number,
-}
+/// Where a course was left, and the step in which something happened, as it was made.
+pub type Followed<C> =
+    Stop<Step<<C as Course>::Y>, Reached<<C as Course>::Y, <C as Course>::Event>, <C as Course>::End>;
 
 /// Follows a course from a state, and the derivative there, to its first event or to where its end is known. `first` is the length of the first step, and at
 /// most `most_steps` are made.
@@ -212,29 +177,54 @@ pub enum Lost {
 ///     }
 /// }
 /// let end = follow(&mut Falling, ([20.0, 0.0], [0.0, -10.0]), 4.0, 100);
-/// let Ok(Stop::Event { y, length, .. }) = end else { panic!("it falls") };
-/// assert!((length - 2.0).abs() < 1e-12 && (y[1] + 20.0).abs() < 1e-11);
+/// let Ok(Stop::Event { event, .. }) = end else { panic!("it falls") };
+/// assert!((event.length - 2.0).abs() < 1e-12 && (event.y[1] + 20.0).abs() < 1e-11);
 /// ```
 pub fn follow<C: Course>(
     course: &mut C,
-    (mut y, mut rate): (C::Y, C::Y),
+    (y, rate): (C::Y, C::Y),
     first: f64,
     most_steps: usize,
-) -> Result<Stop<C::Y, C::Event, C::End>, Lost> {
-    let mut length = first;
-    for _ in 0..most_steps {
-        if let Some(end) = course.end(&y, &rate) {
-            return Ok(Stop::End(end));
-        }
-        let (step, next) = course.step((&y, &rate), length)?;
-        if let Some(found) = course.first_event(&step)? {
-            let (length, y) = reach(course, &step, &found);
-            return Ok(Stop::Event { event: found.event, y, step, length });
-        }
-        (rate, length) = (step.end_rate, next);
-        y = course.passed(step);
+) -> Result<Followed<C>, Lost> {
+    walk(&mut Integration { course, y, rate, length: first }, most_steps)
+}
+
+/// A course from step to step.
+struct Integration<'c, C: Course> {
+    course: &'c mut C,
+    y: C::Y,
+    rate: C::Y,
+    /// Of the next step.
+    length: f64,
+}
+
+impl<C: Course> Stepper for Integration<'_, C> {
+    type Step = Step<C::Y>;
+    type Event = Reached<C::Y, C::Event>;
+    type End = C::End;
+
+    fn end(&mut self) -> Option<C::End> {
+        self.course.end(&self.y, &self.rate)
     }
-    course.end(&y, &rate).map(Stop::End).ok_or(Lost::Steps)
+
+    fn step(&mut self) -> Result<Step<C::Y>, Lost> {
+        let (step, next) = self.course.step((&self.y, &self.rate), self.length)?;
+        self.length = next;
+        Ok(step)
+    }
+
+    fn event(&mut self, step: &mut Step<C::Y>) -> Result<Option<Reached<C::Y, C::Event>>, Lost> {
+        let found = self.course.first_event(step)?;
+        Ok(found.map(|found| {
+            let (length, y) = reach(self.course, step, &found);
+            Reached { event: found.event, length, y }
+        }))
+    }
+
+    fn passed(&mut self, step: Step<C::Y>) {
+        self.rate = step.end_rate;
+        self.y = self.course.passed(step);
+    }
 }
 
 /// An explicit step whose error is within the tolerance, and the length to try next.
@@ -288,10 +278,13 @@ mod tests {
             Self { events, tolerance: 1e-9 }
         }
 
-        fn follow(mut self, first: f64) -> Result<Stop<[f64; 3], usize, ()>, Lost> {
+        fn follow(mut self, first: f64) -> Result<Option<Reached<[f64; 3], usize>>, Lost> {
             let start = [0.0, 1.0, 0.0];
             let rate = self.rate(&start);
-            follow(&mut self, (start, rate), first, 100)
+            Ok(match follow(&mut self, (start, rate), first, 100)? {
+                Stop::Event { event, .. } => Some(event),
+                Stop::End(()) => None,
+            })
         }
     }
 
@@ -323,7 +316,9 @@ mod tests {
     fn a_function_that_falls_and_rises_within_one_step_is_found() {
         for depth in [1e-2, 1e-4, 1e-6] {
             let dips = Oscillator::watching(|y: &[f64; 3]| [1.0 - depth - y[0]]);
-            let Ok(Stop::Event { event: 0, y, .. }) = dips.follow(2.5) else { panic!("it dips by {depth}") };
+            let Ok(Some(Reached { event: 0, y, .. })) = dips.follow(2.5) else {
+                panic!("it dips by {depth}")
+            };
             // sin t = 1 − depth, on the way up.
             let (sin, _) = sin_cos(y[2]);
             assert!((sin - 1.0 + depth).abs() < 1e-8 && y[2] < std::f64::consts::FRAC_PI_2, "{depth}: {y:?}");
@@ -333,7 +328,7 @@ mod tests {
     #[test]
     fn of_two_events_in_one_step_the_first_ends_the_course() {
         let both = Oscillator::watching(|y: &[f64; 3]| [0.9 - y[2], 0.8 - y[2]]);
-        let Ok(Stop::Event { event, y, .. }) = both.follow(1.0) else { panic!("both fall") };
+        let Ok(Some(Reached { event, y, .. })) = both.follow(1.0) else { panic!("both fall") };
         assert!(event == 1 && (y[2] - 0.8).abs() < 1e-12, "{event} at {y:?}");
     }
 

@@ -244,7 +244,8 @@ impl<'a, const N: usize, const M: usize> Springs<'a, N, M> {
             let mut leg = Leg { springs: self, mode };
             let rate = leg.rate(&y);
             y = match course::follow(&mut leg, (y, rate), FIRST_STEP * self.time, MOST_EVENTS) {
-                Ok(Stop::Event { y, .. } | Stop::End(y)) => y,
+                Ok(Stop::Event { event, .. }) => event.y,
+                Ok(Stop::End(y)) => y,
                 Err(Lost::Short(_) | Lost::Number) => return Err(ImpactError::Overflow),
                 Err(Lost::Steps) => return Err(ImpactError::Unending { stages: MOST_EVENTS }),
             };

@@ -69,7 +69,7 @@ impl<const N: usize> Leg<'_, N> {
         match course::follow(&mut curve, (first, rate), self.first_length(), MOST_STEPS)
             .map_err(|_| unending)?
         {
-            Stop::Event { event, y, .. } => Ok(curve.walked(&y, curve.event(event))),
+            Stop::Event { event, .. } => Ok(curve.walked(&event.y, curve.event(event.event))),
             Stop::End(walked) => Ok(walked),
         }
     }

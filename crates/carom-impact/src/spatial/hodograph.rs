@@ -136,7 +136,7 @@ pub(super) fn slide(contact: &Rough, at: &mut Place, goal: Goal) -> Result<Reach
         .map_err(|_| ImpactError::Unending { stages: MOST_STEPS })?;
     let reached;
     (*at, reached) = match end {
-        Stop::Event { y, .. } => (slide.place(&y), Reached::Goal),
+        Stop::Event { event, .. } => (slide.place(&event.y), Reached::Goal),
         Stop::End(end) => end,
     };
     Ok(reached)

@@ -61,10 +61,10 @@ impl Walker<'_> {
         let mut gliding = Gliding::from(self, motion);
         let (rate, length) = (gliding.rate(&first), gliding.first_length(&first));
         let stop = match follow(&mut gliding, (first, rate), length, usize::MAX) {
-            Ok(course::Stop::Event { event, y, step, length }) => {
-                gliding.show(&step, length);
-                gliding.arrive(&y, gliding.elapsed + length);
-                Stop::Event(event)
+            Ok(course::Stop::Event { event: reached, step }) => {
+                gliding.show(&step, reached.length);
+                gliding.arrive(&reached.y, gliding.elapsed + reached.length);
+                Stop::Event(reached.event)
             }
             Ok(course::Stop::End(stop)) => stop,
             // The forces on what slides grow without bound here: it jams, and this is no fault of the numbers.

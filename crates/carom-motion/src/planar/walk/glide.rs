@@ -16,7 +16,7 @@ use crate::planar::record::{
 };
 use crate::tolerance::{CLEARLY_OPEN, FIRST_STEP_TOLERANCE};
 use carom_impact::planar::Slip;
-use carom_num::course::{Lost, Stop, follow};
+use carom_num::course::{Lost, Reached, Stop, follow};
 use carom_num::elementary::pow;
 use carom_num::ode8::Step;
 use std::sync::Arc;
@@ -59,26 +59,52 @@ impl<const B: usize> Walker<'_, B> {
         let y = pack(&start);
         gliding.walker.effort.evaluations += 1;
         let (f, length) = (rate(&y, &gliding.forces.acceleration), gliding.walker.first_length(gliding.list));
-        match follow(&mut gliding, (y, f), length, MOST_STEPS as usize) {
-            Ok(Stop::Event { event, y, step, length }) => {
+        let stop = follow(&mut gliding, (y, f), length, MOST_STEPS as usize);
+        let stop = stop.map(|stop| match stop {
+            Stop::Event { event: Reached { event, length, y }, step } => {
                 if is_dense(observers) {
                     self.sample_stretch(&step, (length / step.length, true), observers);
                 }
                 self.note_step(step, length, observers);
                 self.time += length;
-                self.states = self.projected(&unpack(&y));
-                self.sample_here(observers);
+                self.states = unpack(&y);
                 self.report_slips(observers);
-                self.report_piece(start_time, &start, |b| self.piece_end(&event, b), observers);
+                Stop::Event { event, step: () }
+            }
+            Stop::End(over) => Stop::End(over),
+        });
+        self.conclude((start_time, &start), stop, observers)
+    }
+
+    /// Resolves what has ended a piece of motion, where the walker has come to.
+    pub(super) fn conclude(
+        &mut self,
+        (start_time, start): (f64, &[State; B]),
+        stop: Result<Stop<(), Event, Over>, Lost>,
+        observers: &mut Observers<'_, B>,
+    ) -> Result<Happening, MotionError> {
+        match stop {
+            Ok(Stop::Event { event, .. }) => {
+                self.states = self.projected(&self.states);
+                self.sample_here(observers);
+                self.report_piece(start_time, start, |b| self.piece_end(&event, b), observers);
                 self.resolve(&event, observers)
             }
             Ok(Stop::End(Over::TimeUp)) => {
-                self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
+                self.report_piece(start_time, start, |_| PieceEnd::TimeUp, observers);
                 Ok(Happening::BudgetSpent)
             }
-            Ok(Stop::End(Over::Swings)) => Ok(self.swings(start_time, &start, observers)),
+            Ok(Stop::End(Over::Swings)) => {
+                self.report_piece(start_time, start, |_| PieceEnd::Swings, observers);
+                self.ended = Some(Happening::Swings);
+                Ok(Happening::Swings)
+            }
             // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
-            Err(Lost::Short(_)) if self.slips() => self.jam_dynamically(start_time, &start, observers),
+            Err(Lost::Short(_)) if self.slips() => {
+                let edge = Event::Watched(Watched::plain(Watch::Regular));
+                self.report_piece(start_time, start, |b| self.piece_end(&edge, b), observers);
+                self.resolve(&edge, observers)
+            }
             Err(Lost::Short(step)) => Err(MotionError::StepTooSmall { time: self.time, step }),
             Err(Lost::Number) => Err(MotionError::NotFinite { time: self.time }),
             Err(Lost::Steps) => Err(MotionError::TooManySteps { time: self.time, steps: MOST_STEPS }),
@@ -105,34 +131,11 @@ impl<const B: usize> Walker<'_, B> {
         self.held.iter().any(|h| h.slip != Slip::Sticks)
     }
 
-    pub(super) fn jam_dynamically(
-        &mut self,
-        start_time: f64,
-        start: &[State; B],
-        observers: &mut Observers<'_, B>,
-    ) -> Result<Happening, MotionError> {
-        let edge = Event::Watched(Watched::plain(Watch::Regular));
-        self.report_piece(start_time, start, |b| self.piece_end(&edge, b), observers);
-        self.resolve(&edge, observers)
-    }
-
     /// Shows the present states to those who ask for samples.
     pub(super) fn sample_here(&self, observers: &mut Observers<'_, B>) {
         if is_dense(observers) {
             self.sample(&self.states, observers);
         }
-    }
-
-    /// Ends the walk in a swing that goes on for ever.
-    pub(super) fn swings(
-        &mut self,
-        start_time: f64,
-        start: &[State; B],
-        observers: &mut Observers<'_, B>,
-    ) -> Happening {
-        self.report_piece(start_time, start, |_| PieceEnd::Swings, observers);
-        self.ended = Some(Happening::Swings);
-        Happening::Swings
     }
 
     pub(super) fn report_slips(&self, observers: &mut Observers<'_, B>) {

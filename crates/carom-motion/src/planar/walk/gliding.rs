@@ -43,6 +43,14 @@ pub(super) enum Over {
     Swings,
 }
 
+impl<const B: usize> Walker<'_, B> {
+    /// How a motion ends here that swings for ever, or does not.
+    pub(super) fn over(&self, swings: bool) -> Option<Over> {
+        let spent = self.time >= self.options.most_time;
+        if swings { Some(Over::Swings) } else { spent.then_some(Over::TimeUp) }
+    }
+}
+
 impl<'g, 'w, 'l, 'o, const B: usize> Gliding<'g, 'w, 'l, 'o, B> {
     /// The motion from where the walker is, the event functions noted.
     pub(super) fn from(
@@ -162,8 +170,7 @@ impl<const B: usize> Course for Gliding<'_, '_, '_, '_, B> {
     }
 
     fn end(&mut self, _: &Vector<B>, _: &Vector<B>) -> Option<Over> {
-        let spent = self.walker.time >= self.walker.options.most_time;
-        if self.swings { Some(Over::Swings) } else { spent.then_some(Over::TimeUp) }
+        self.walker.over(self.swings)
     }
 
     fn pace(&self, _: &Vector<B>, _: &Vector<B>) -> Pace<Vector<B>> {

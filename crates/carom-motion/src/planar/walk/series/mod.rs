@@ -10,7 +10,9 @@ mod straight;
 
 use super::events::Event;
 use super::glide::MOST_STEPS;
+use super::gliding::Over;
 use super::path::{Course, Stretch};
+use super::swing::Swing;
 use super::terms::{Happening, MotionError};
 use super::walker::Walker;
 use crate::planar::contact::{World, kinematics::Pairing, separation::Bounds, touching::Few, world::Scales};
@@ -19,12 +21,10 @@ use crate::planar::modes::{
     mode::Forces,
     watch::{FEW_WATCHED, Watch, WatchList, Watched},
 };
-use crate::planar::record::{
-    observer::{Observers, is_dense, wants_slips},
-    trace::PieceEnd,
-};
+use crate::planar::record::observer::{Observers, is_dense, wants_slips};
 use along::Along;
 use carom_impact::planar::Slip;
+use carom_num::course::{Lost, Stepper, walk};
 use expansion::Given;
 use std::sync::Arc;
 use straight::Straight;
@@ -36,6 +36,54 @@ const COARSE: usize = 12;
 const LAST: f64 = 0.1;
 /// A step is at most this long, in the world's own time: where nothing turns a series reaches for ever.
 const LONGEST: f64 = 8.0;
+
+/// Stretch after stretch of a mode, each in the place of the last one: series are long.
+struct Stretches<'g, 'w, 'o, 'l, E, F, const B: usize> {
+    walker: &'g mut Walker<'w, B>,
+    observers: &'g mut Observers<'o, B>,
+    list: WatchList<'l>,
+    place: Option<E>,
+    number: u32,
+    /// Makes the stretch of this number.
+    next: F,
+    swing: Option<Swing>,
+    swings: bool,
+}
+
+impl<'w, E, F, const B: usize> Stepper for Stretches<'_, 'w, '_, '_, E, F, B>
+where
+    E: Expanded<B>,
+    F: Fn(&mut Walker<'w, B>, u32, &mut Option<E>) -> Result<(), Lost>,
+{
+    type Step = ();
+    type Event = Event;
+    type End = Over;
+
+    fn end(&mut self) -> Option<Over> {
+        self.walker.over(self.swings)
+    }
+
+    fn step(&mut self) -> Result<(), Lost> {
+        self.number += 1;
+        (self.next)(self.walker, self.number, &mut self.place)
+    }
+
+    fn event(&mut self, (): &mut ()) -> Result<Option<Event>, Lost> {
+        let Some(stretch) = &mut self.place else { return Ok(None) };
+        let event = self.walker.shortened(stretch, &mut self.list);
+        self.walker.take(stretch, event.is_some(), self.observers);
+        Ok(event)
+    }
+
+    fn passed(&mut self, (): ()) {
+        let states = self.walker.states;
+        self.swings = self.swing.as_mut().is_some_and(|swing| swing.comes_back(&states[0]));
+        // What has clearly opened needs no event function of its own any more: the list is made anew without it.
+        if !self.swings && self.walker.forget_left(&states) {
+            self.walker.note_watched_with(&mut self.list, &mut Forces::default());
+        }
+    }
+}
 
 /// A stretch of motion whose event functions are known as functions of time.
 trait Expanded<const B: usize>: Stretch<B> + Clone + 'static {
@@ -65,31 +113,30 @@ impl<const B: usize> Walker<'_, B> {
         match (self.held.get(0), self.held.len()) {
             (Some(h), 1) if of_vertex_and_face(&h.pair) && self.world.is_plain(h.pair) => {
                 Some(if self.options.tolerance < COARSE_SERIES_TOLERANCE {
-                    self.follow(Self::step_along::<FINE>, observers)
+                    self.glide_expanded(Self::step_along::<FINE>, observers)
                 } else {
-                    self.follow(Self::step_along::<COARSE>, observers)
+                    self.glide_expanded(Self::step_along::<COARSE>, observers)
                 })
             }
             (Some(_), 2) if self.straight(0.0).is_some() => {
                 let longest = LONGEST * self.scales.time;
                 let next = |walker: &mut Self, steps, place: &mut Option<Straight>| {
                     *place = walker.straight(f64::from(steps) * longest);
-                    Ok(place.is_some())
+                    // No step is made from where they do not slide on one line any more.
+                    if place.is_some() { Ok(()) } else { Err(Lost::Short(0.0)) }
                 };
-                Some(self.follow(next, observers))
+                Some(self.glide_expanded(next, observers))
             }
             _ => None,
         }
     }
 
-    /// Follows stretch after stretch of a mode to its end. `next` is given the number of the stretch and makes it in the place of the last one. Where
-    /// there is no next stretch, the normal force grows without bound (Painlevé's paradox).
-    fn follow<E: Expanded<B>>(
+    /// Goes along stretch after stretch of a mode to its end. `next` is given the number of the stretch and makes it in the place of the last one.
+    fn glide_expanded<E: Expanded<B>>(
         &mut self,
-        next: impl Fn(&mut Self, u32, &mut Option<E>) -> Result<bool, MotionError>,
+        next: impl Fn(&mut Self, u32, &mut Option<E>) -> Result<(), Lost>,
         observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
-        let mut place = None;
         let mut rows = [None; FEW_WATCHED];
         let mut list = WatchList::on(&mut rows);
         let (start_time, start) = (self.time, self.states);
@@ -97,33 +144,11 @@ impl<const B: usize> Walker<'_, B> {
         self.report_slips(observers);
         self.note_watched_with(&mut list, &mut Forces::default());
         self.sample_here(observers);
-        let mut swing = self.swing();
-        for number in 1..=MOST_STEPS {
-            if self.time >= self.options.most_time {
-                self.report_piece(start_time, &start, |_| PieceEnd::TimeUp, observers);
-                return Ok(Happening::BudgetSpent);
-            }
-            let (true, Some(stretch)) = (next(self, number, &mut place)?, &mut place) else {
-                return self.jam_dynamically(start_time, &start, observers);
-            };
-            let event = self.shortened(stretch, &mut list);
-            self.take(stretch, event.is_some(), observers);
-            if let Some(event) = event {
-                self.states = self.projected(&self.states);
-                self.sample_here(observers);
-                self.report_piece(start_time, &start, |b| self.piece_end(&event, b), observers);
-                return self.resolve(&event, observers);
-            }
-            let states = self.states;
-            if swing.as_mut().is_some_and(|swing| swing.comes_back(&states[0])) {
-                return Ok(self.swings(start_time, &start, observers));
-            }
-            // What has clearly opened needs no event function of its own any more: the list is made anew without it.
-            if self.forget_left(&states) {
-                self.note_watched_with(&mut list, &mut Forces::default());
-            }
-        }
-        Err(MotionError::TooManySteps { time: self.time, steps: MOST_STEPS })
+        let swing = self.swing();
+        let mut stretches =
+            Stretches { walker: self, observers, list, place: None, number: 0, next, swing, swings: false };
+        let stop = walk(&mut stretches, MOST_STEPS as usize);
+        self.conclude((start_time, &start), stop, observers)
     }
 
     /// What is left of the time there is [s].
@@ -139,15 +164,12 @@ impl<const B: usize> Walker<'_, B> {
         Straight::of(&self.world, &self.held, &self.states[0], length.min(self.time_left()))
     }
 
-    /// The series from here on as far as they reach; false where that is nowhere.
-    fn step_along<const P: usize>(
-        &mut self,
-        _number: u32,
-        place: &mut Option<Along<P>>,
-    ) -> Result<bool, MotionError> {
-        let not_finite = MotionError::NotFinite { time: self.time };
-        let (Some(held), [state, ..]) = (self.held.get(0), &self.states[..]) else { return Err(not_finite) };
-        let Some(given) = Given::of(&self.world, held, state) else { return Err(not_finite) };
+    /// The series from here on as far as they reach.
+    fn step_along<const P: usize>(&mut self, _number: u32, place: &mut Option<Along<P>>) -> Result<(), Lost> {
+        let (Some(held), [state, ..]) = (self.held.get(0), &self.states[..]) else {
+            return Err(Lost::Number);
+        };
+        let Some(given) = Given::of(&self.world, held, state) else { return Err(Lost::Number) };
         let slips = held.slip != Slip::Sticks;
         let along = Along::from(given, place);
         self.effort.steps += 1;
@@ -160,13 +182,9 @@ impl<const B: usize> Walker<'_, B> {
         if length >= SHORTEST_STEP * self.scales.time {
             let length = length.min(LONGEST * self.scales.time).min(self.time_left());
             along.set_length(length);
-            return Ok(true);
+            return Ok(());
         }
-        if slips {
-            return Ok(false);
-        }
-        let too_small = MotionError::StepTooSmall { time: self.time, step: length };
-        Err(if length.is_nan() { not_finite } else { too_small })
+        Err(if length.is_nan() && !slips { Lost::Number } else { Lost::Short(length) })
     }
 
     /// The first event within a stretch, which then ends there.
