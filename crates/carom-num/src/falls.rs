@@ -1,8 +1,8 @@
 //! Where smooth functions fall through zero first.
 //!
 //! Functions are looked at at the five [`NODES`] of an interval. What these do not show of a function is taken to be at most as large as the highest
-//! term that they do show; where that term is not small the interval is halved. So no fall between two places is passed over, and a function
-//! that falls and rises again within an interval is found.
+//! term that they do show; where that term is not small, or the function comes nearer to zero than that, the interval is halved. So no fall between
+//! two places is passed over, and a function that falls and rises again within an interval is found.
 
 use crate::ode8::Vector;
 use crate::poly::{NODES, Quartic};
@@ -53,7 +53,12 @@ pub fn shown(values: &[f64; 5], may_halve: bool) -> Shown {
     if may_halve && quartic.highest > RESOLVED_SHAPE * largest && !quartic.certainly_falls() {
         return Shown::Doubtful;
     }
-    match quartic.first_fall() {
+    let fall = quartic.first_fall();
+    // It comes nearer to zero, or dips below it by less, than what the nodes do not show.
+    if may_halve && quartic.surely_falls() != Some(fall.is_some()) {
+        return Shown::Doubtful;
+    }
+    match fall {
         // What leaves zero as a higher power does is positive at the first node: the quartic alone dips before it.
         Some(x) if values[0] == 0.0 && x < NODES[1] && values[1] > 0.0 => {
             if may_halve {

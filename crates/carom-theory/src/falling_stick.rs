@@ -44,6 +44,25 @@ pub fn floor_force_foot_fixed(tilt: f64) -> (f64, f64) {
     (0.75 * sin * (3.0 * cos - 2.0), 0.25 * root * root)
 }
 
+/// The largest friction that a stick asks for behind its foot as it falls from the upright, and the tilt at which it does: `(tilt, F/N)`.
+///
+/// ```text
+/// d(F/N)/dθ = 0:   11 cos θ = 9,   F/N = 15 √10/128
+/// ```
+///
+/// With less friction than this the foot slips backward; with more it sticks until it slips forward, beyond cos θ = 2/3.
+///
+/// # Example
+/// ```
+/// use carom_theory::falling_stick::{floor_force_foot_fixed, most_friction_behind};
+/// let (tilt, most) = most_friction_behind();
+/// let (forward, upward) = floor_force_foot_fixed(tilt);
+/// assert!((forward / upward - most).abs() < 1e-15 && (most - 0.370_581).abs() < 1e-6);
+/// ```
+pub fn most_friction_behind() -> (f64, f64) {
+    (libm::acos(9.0 / 11.0), 15.0 * libm::sqrt(10.0) / 128.0)
+}
+
 /// Square of the spin of a stick that fell from rest at `start` to `tilt`, its foot on a frictionless floor [rad²/s²].
 ///
 /// ```text
