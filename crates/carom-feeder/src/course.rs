@@ -6,9 +6,10 @@ use crate::feeder::{PartKind, Stop};
 use crate::part_view::PartView;
 use crate::run::{Effort, Exit, JamKind, Landing, Outcome, Run, Verdict};
 use crate::tolerance::SAME_LENGTH;
+use carom_motion::MotionError;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_motion::planar::{Happening, MotionError, Observer, Outlook, State, Walker};
+use carom_motion::planar::{Happening, Observer, Outlook, State, Walker};
 use carom_num::Vec2;
 
 /// What has been seen of one plate.

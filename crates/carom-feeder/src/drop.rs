@@ -6,9 +6,8 @@ use crate::feeder::{Feeder, FeederProblem, PartKind, Plate, Wall};
 use crate::form::{Form, FormProblem, Thick, before_end};
 use crate::run::Run;
 use crate::tolerance::{BEHIND_WALL, CROSSES_START, ON_WALL};
-use carom_motion::planar::{
-    MotionError, Observer, Obstacle, Options, Pose, Recorder, State, Twist, Walker, World,
-};
+use carom_motion::MotionError;
+use carom_motion::planar::{Observer, Obstacle, Options, Pose, Recorder, State, Twist, Walker, World};
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
 use thiserror::Error;

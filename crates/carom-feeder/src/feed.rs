@@ -4,9 +4,10 @@ use crate::course::{Course, Watcher};
 use crate::drop::{Prepared, RunError};
 use crate::feeder::FeederProblem;
 use crate::run::{Outcome, Run};
+use carom_motion::MotionError;
 use carom_motion::planar::observer::HeldContact;
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_motion::planar::{Crowd, Happening, MotionError, Options, Recorder, Surface, World};
+use carom_motion::planar::{Crowd, Happening, Options, Recorder, Surface, World};
 
 /// How a feeder is fed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@
 #[cfg(test)]
 pub(crate) mod faults;
 
-use crate::planar::MotionError;
+use crate::MotionError;
 use std::cell::Cell;
 
 thread_local! {

@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use carom_impact::Law;
+use carom_motion::MotionError;
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{
-    Body, ChainPoint, Happening, MassProperties, MotionError, Obstacle, Options, Pose, Recorder, Shape,
-    State, Twist, Walker, World,
+    Body, ChainPoint, Happening, MassProperties, Obstacle, Options, Pose, Recorder, Shape, State, Twist,
+    Walker, World,
 };
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;

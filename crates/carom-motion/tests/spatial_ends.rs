@@ -4,9 +4,10 @@
 
 mod bodies;
 
+use carom_motion::MotionError;
 use carom_motion::spatial::{
-    Body, BodyProblem, Budget, Choice, Clock, End, Impact, Mode, MotionError, Observer, Options, Overturning,
-    Run, Samples, State, Supports, World, run,
+    Body, BodyProblem, Budget, Choice, Clock, End, Impact, Mode, Observer, Options, Overturning, Run,
+    Samples, State, Supports, World, run,
 };
 use carom_num::elementary::{atan, cos, sin};
 use carom_num::{Mat3, Rotation, Vec3};

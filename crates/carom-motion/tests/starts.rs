@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use carom_impact::Law;
+use carom_motion::MotionError;
 use carom_motion::planar::{
-    Body, Happening, MotionError, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
+    Body, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
 };
 use carom_num::Vec2;
 

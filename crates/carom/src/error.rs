@@ -2,7 +2,8 @@
 
 use carom_feeder::RunError;
 use carom_impact::ImpactError;
-use carom_motion::planar::{MotionError, ShapeProblem};
+use carom_motion::MotionError;
+use carom_motion::planar::ShapeProblem;
 use carom_scene::Problems;
 use carom_study::regions::RegionsError;
 use thiserror::Error;

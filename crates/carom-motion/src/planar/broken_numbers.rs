@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use crate::MotionError;
 use crate::evaluated::Quantity;
 use crate::evaluated::faults::{Fault, during};
 use crate::planar::{
@@ -10,7 +11,7 @@ use crate::planar::{
     geometry::{Body, Obstacle, Pose, Shape, State, Surface, Twist},
     record::Recorder,
     several::Crowd,
-    walk::{Happening, MotionError, Options, Walker},
+    walk::{Happening, Options, Walker},
 };
 use carom_impact::Law;
 use carom_num::Vec2;

@@ -18,4 +18,4 @@ pub use geometry::{
 };
 pub use record::{Observer, Recorder, observer, trace};
 pub use several::{Advance, Crowd, Member, Outlook};
-pub use walk::{Effort, Happening, Margin, MarginOf, MotionError, Options, Walker};
+pub use walk::{Effort, Happening, Margin, MarginOf, Options, Walker};

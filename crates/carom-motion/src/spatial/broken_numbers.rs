@@ -3,7 +3,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use super::{Body, Friction, MotionError, Options, Run, State, World, run};
+use super::{Body, Friction, Options, Run, State, World, run};
+use crate::MotionError;
 use crate::evaluated::Quantity;
 use crate::evaluated::faults::{Fault, during};
 use carom_num::{Mat3, Rotation, Vec3};

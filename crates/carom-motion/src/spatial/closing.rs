@@ -5,8 +5,8 @@ use super::mode::Mode;
 use super::run::{Closing, End};
 use super::series::{Beat, Recent, Series};
 use super::settle::{all_held, settled, spin_on};
-use super::terms::MotionError;
 use super::walker::Walker;
+use crate::MotionError;
 use crate::tolerance::{FAINT_ENERGY, LIES_ON_PLANE};
 
 /// What became of an impact that may be one of a series.

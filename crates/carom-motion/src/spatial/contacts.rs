@@ -1,7 +1,8 @@
 //! What the non-sliding law says of the supports that touch: in an impact of their velocities, in motion of their accelerations.
 
-use super::terms::{Choice, MotionError};
+use super::terms::Choice;
 use super::{State, Supports, World};
+use crate::MotionError;
 use carom_impact::spatial::{Conclusion, ContactSet, Touch};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;

@@ -3,7 +3,8 @@
 use super::contacts::{Question, Way};
 use super::sliding::{Carried, Sliding};
 use super::terms::Choice;
-use super::{Mode, MotionError, State, Supports, World};
+use super::{Mode, State, Supports, World};
+use crate::MotionError;
 use carom_num::Vec3;
 
 /// What the plane does to the supports that a body holds.
@@ -21,7 +22,7 @@ use carom_num::Vec3;
 /// let Forces { forces, friction_demand } = forces(&world, held, &lying)?.unwrap();
 /// let sum = forces.iter().fold(Vec3::ZERO, |sum, (_, force)| sum + *force);
 /// assert!((sum - Vec3::Z * 10.0).norm() < 1e-13 && friction_demand < 1e-14);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forces {
@@ -50,7 +51,7 @@ pub struct Forces {
 /// let (support, force) = held.forces[0];
 /// assert!(support == 0 && (force - Vec3::new(3.75, 0.0, 6.25)).norm() < 1e-13);
 /// assert!((held.friction_demand - 0.6).abs() < 1e-14);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>, MotionError> {
     if let Mode::Slides { sticking, slipping } = mode {

@@ -5,9 +5,9 @@ use super::gliding::Gliding;
 use super::motion::{Motion, Standing};
 use super::run::Budget;
 use super::stretch::Stretch;
-use super::terms::MotionError;
 use super::walker::Walker;
 use super::{Mode, Piece, State};
+use crate::MotionError;
 use crate::tolerance::STILL_ACCELERATION;
 use carom_num::course::{self, Course, Lost, follow};
 

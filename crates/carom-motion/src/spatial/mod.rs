@@ -52,6 +52,6 @@ pub use run::{Budget, Clock, Closing, End, Impact, Piece, Run};
 pub use solid::{Mesh, MeshProblem, Solid};
 pub use state::State;
 pub use supports::Supports;
-pub use terms::{Choice, Effort, MotionError, Options, Overturning};
+pub use terms::{Choice, Effort, Options, Overturning};
 pub use walker::run;
 pub use world::{GravityProblem, Scales, World};

@@ -15,7 +15,7 @@ use carom_num::{Mat3, Rotation, Vec3};
 /// let mut samples = Samples::default();
 /// run(&world, &start, &Options::default(), &mut samples)?;
 /// assert_eq!(samples.pieces[0].mode, Mode::Flight);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {

@@ -20,7 +20,7 @@ use std::ops::ControlFlow;
 /// let mut left = Left(vec![]);
 /// run(&world, &start, &Options::default(), &mut left)?;
 /// assert!(left.0.len() > 2 && left.0[..3].iter().all(|part| (part - 1.0 / 16.0).abs() < 1e-12));
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 pub trait Observer {
     /// True: samples are made and handed over.
@@ -53,7 +53,7 @@ pub trait Observer {
     ///     }
     /// }
     /// run(&world, &start, &Options::default(), &mut Fall(&world))?;
-    /// # Ok::<(), carom_motion::spatial::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     fn sample(&mut self, time: f64, mode: Mode, state: &State) {
         let _ = (time, mode, state);
@@ -90,7 +90,7 @@ pub trait Observer {
     /// let mut asks = Asks(None);
     /// run(&world, &start, &Options::default(), &mut asks)?;
     /// assert!((asks.0.unwrap().centre.z - 0.65).abs() < 1e-15);
-    /// # Ok::<(), carom_motion::spatial::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     fn instant(&mut self, time: f64, state: &State) {
         let _ = (time, state);
@@ -116,7 +116,7 @@ pub trait Observer {
     /// }
     /// let stopped = run(&world, &start, &Options::default(), &mut Stops)?;
     /// assert_eq!((stopped.end, stopped.impacts.len()), (End::Stopped, 1));
-    /// # Ok::<(), carom_motion::spatial::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     fn impact(&mut self, impact: &Impact) -> ControlFlow<()> {
         let _ = impact;
@@ -143,7 +143,7 @@ impl Observer for () {}
 /// let (time, mode, state) = &samples.instants[1];
 /// assert!(*time > 0.0 && *mode == Mode::Flight);
 /// assert!((state.velocity.z + 10.0 * time).abs() < 1e-13);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Samples {

@@ -18,7 +18,7 @@ use carom_num::{Rotation, Vec3};
 /// assert!((impact.time - 0.2).abs() < 1e-13 && (impact.kinetic_before - 2.0).abs() < 1e-12);
 /// let sum = impact.impulses.iter().fold(Vec3::ZERO, |sum, (_, impulse)| sum + *impulse);
 /// assert!((sum - Vec3::Z * 2.0).norm() < 1e-12);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
@@ -75,7 +75,7 @@ impl Impact {
 /// let impacts = i32::try_from(period).unwrap_or_default();
 /// assert!((ratio / 0.25f64.powi(impacts) - 1.0).abs() < 1e-3);
 /// assert_eq!(kept.len(), 4);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closing {
@@ -103,7 +103,7 @@ pub struct Closing {
 /// let fall = samples.pieces[0];
 /// assert_eq!((fall.mode, fall.start_time), (Mode::Flight, 0.0));
 /// assert!((fall.end_time - 0.2).abs() < 1e-13 && (fall.end.velocity.z + 2.0).abs() < 1e-12);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
@@ -135,7 +135,7 @@ pub struct Piece {
 /// let (sine, cosine) = toppled.state.tilt(Vec3::Z).sin_cos();
 /// let force = 10.0 * (1.0 - 0.75 * sine * sine) - toppled.state.spin.y.powi(2) * cosine;
 /// assert!(force.abs() < 1e-9);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
@@ -156,7 +156,7 @@ pub enum Clock {
 /// let fallen = run(&world, &start, &options, &mut ())?;
 /// assert_eq!((fallen.end, fallen.time), (End::BudgetSpent(Budget::Time), 0.1));
 /// assert!((fallen.state.centre.z - 0.65).abs() < 1e-15);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Budget {
@@ -184,7 +184,7 @@ pub enum Budget {
 /// assert_eq!(balanced.end, End::Balanced { held: Supports::one(0) });
 /// let fallen = run(&world, &start, &Options::default(), &mut ())?;
 /// assert_eq!(fallen.end, End::AtRest { held: (0..4).collect() });
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
@@ -221,7 +221,7 @@ pub enum End {
 /// let fallen = run(&world, &start, &Options::default(), &mut ())?;
 /// assert!((fallen.time - 0.2).abs() < 1e-13 && (fallen.state.centre.z - 0.5).abs() < 1e-13);
 /// assert_eq!((fallen.state.velocity, fallen.impacts.len()), (Vec3::ZERO, 1));
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {

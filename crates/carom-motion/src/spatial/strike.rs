@@ -7,9 +7,9 @@ use super::posture::Height;
 use super::run::{Clock, End, Impact};
 use super::state::measured;
 use super::stretch::Stretch;
-use super::terms::MotionError;
 use super::walker::{Walker, without_way};
 use super::{State, Supports};
+use crate::MotionError;
 use crate::tolerance::{
     AT_REST_AT_START, COMES_DOWN_AT_ONCE, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
 };

@@ -1,10 +1,9 @@
 //! What a run is given, and why there may be none.
 
+use crate::MotionError;
 use crate::tolerance::{SPATIAL_CLOSING, SPATIAL_TOLERANCE, UNIT_LENGTH};
-use carom_impact::ImpactError;
 use carom_impact::spatial::Preference;
 use carom_num::Vec3;
-use thiserror::Error;
 
 /// What is done where the law of impact, or of motion, allows several ways on.
 ///
@@ -59,7 +58,7 @@ impl Choice {
 /// let over = run(&world, &start, &options, &mut ())?;
 /// assert_eq!(over.end, End::Overturned);
 /// assert!((over.state.tilt(Vec3::Z) - std::f64::consts::FRAC_PI_4).abs() < 1e-12);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Overturning {
@@ -91,7 +90,7 @@ pub enum Overturning {
 /// assert_eq!(toppled.end, End::Overturned);
 /// let gained = 10.0 * (0.1f64.cos() - 0.5f64.cos());
 /// assert!((toppled.state.spin.y.powi(2) / 1.5 - gained).abs() < 1e-11);
-/// # Ok::<(), carom_motion::spatial::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -141,81 +140,6 @@ pub struct Effort {
     pub questions: u64,
     /// Impacts.
     pub impacts: u64,
-}
-
-/// Why there is no run, or it cannot go on: a fault of the numbers, not of the physics.
-///
-/// # Example
-/// A cube of 1 m whose centre starts 0.375 m above the plane reaches 0.125 m below it.
-/// ```
-/// use carom_motion::spatial::{Options, MotionError, State, examples, run};
-/// use carom_num::Vec3;
-/// let (world, start) = examples::falling_cube();
-/// let sunk = State { centre: Vec3::Z * 0.375, ..start };
-/// let error = run(&world, &sunk, &Options::default(), &mut ()).unwrap_err();
-/// assert_eq!(error, MotionError::Below { support: 0, depth: 0.125 });
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum MotionError {
-    /// An option that is outside its domain.
-    #[error("{option} is {value}: allowed is {allowed}")]
-    Option {
-        /// Which one.
-        option: &'static str,
-        /// What it is.
-        value: f64,
-        /// What is allowed.
-        allowed: &'static str,
-    },
-    /// The start has a support below the plane.
-    #[error("support {support} starts {depth} m below the plane")]
-    Below {
-        /// Which one.
-        support: usize,
-        /// How far [m].
-        depth: f64,
-    },
-    /// The start has a support that slides along the plane: the law has no friction that would let it.
-    #[error("support {support} starts on the plane and slides at {speed} m/s")]
-    Slides {
-        /// Which one.
-        support: usize,
-        /// How fast [m/s].
-        speed: f64,
-    },
-    /// A number that is not finite appeared.
-    #[error("the motion is not finite at t = {time} s")]
-    NotFinite {
-        /// When [s].
-        time: f64,
-    },
-    /// The integration needs steps below rounding.
-    #[error("the integration needs a step of {step} s at t = {time} s")]
-    StepTooSmall {
-        /// When [s].
-        time: f64,
-        /// The step [s].
-        step: f64,
-    },
-    /// More supports touch the plane at once than are enumerated.
-    #[error("at t = {time} s {count} supports touch: at most {most} are enumerated")]
-    TooManyTouching {
-        /// When [s].
-        time: f64,
-        /// How many touch.
-        count: usize,
-        /// How many may.
-        most: usize,
-    },
-    /// The impact kernel refused.
-    #[error("at t = {time} s: {error}")]
-    Impact {
-        /// When [s].
-        time: f64,
-        /// What it said.
-        error: ImpactError,
-    },
 }
 
 impl Options {

@@ -22,7 +22,8 @@ pub use report::{RollEndReport, RollReport, RollStrikeReport};
 pub use walk::{RollEnd, RollRun};
 
 use crate::problem::Problems;
-use carom_motion::planar::{MotionError, State, World};
+use carom_motion::MotionError;
+use carom_motion::planar::{State, World};
 use carom_num::Vec2;
 use std::fmt;
 

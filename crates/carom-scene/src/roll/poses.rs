@@ -3,7 +3,8 @@
 use super::{RollProblem, RollRun};
 use crate::grammar::{kind::TIME, read_quantity};
 use crate::node::{Node, Value};
-use carom_motion::planar::{MotionError, State};
+use carom_motion::MotionError;
+use carom_motion::planar::State;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;

@@ -3,9 +3,10 @@
 use super::poses::{RollPose, Sampler};
 use super::{RollKind, RollProblem};
 use crate::tolerance::ROLL_STILL;
+use carom_motion::MotionError;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
-use carom_motion::planar::{Happening, MotionError, Observer, Options, Recorder, State, Walker};
+use carom_motion::planar::{Happening, Observer, Options, Recorder, State, Walker};
 use std::f64::consts::FRAC_PI_2;
 
 /// How a roll ends.

@@ -114,7 +114,7 @@ pub enum FeedsError {
     Alone(Outcome),
     /// A fault of the numbers, of one part alone.
     #[error("one part alone: {0}")]
-    Motion(planar::MotionError),
+    Motion(carom_motion::MotionError),
 }
 
 /// The feeder that is searched: the same, with parts followed until they have left the last plate.

@@ -1,7 +1,8 @@
 //! A throw in the plane, on level ground.
 
 use super::{Pose, Spent, Thrown};
-use carom_motion::planar::{Happening, MotionError, Options, Shape, State, Walker, World};
+use carom_motion::MotionError;
+use carom_motion::planar::{Happening, Options, Shape, State, Walker, World};
 use carom_num::Vec2;
 
 /// Follows a throw of the only body of a world to its end. Obstacle 0 is level ground; faces are numbered as [`Shape::rests`].

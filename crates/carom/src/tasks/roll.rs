@@ -2,7 +2,7 @@
 
 use super::MADE_BY;
 use carom_figure::{LiveRoll, RollContact, RollFigure, RollStrike, View, live_roll, live_roll_view};
-use carom_motion::planar::MotionError;
+use carom_motion::MotionError;
 use carom_scene::{RollProblem, RollReport, RollRun, RollStrikeReport};
 use carom_words::number::with_sign;
 

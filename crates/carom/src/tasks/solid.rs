@@ -7,7 +7,7 @@ pub mod words;
 pub use figure::{drawing, notes};
 
 use carom_figure::{LiveSolid, live_solid};
-use carom_motion::spatial::MotionError;
+use carom_motion::MotionError;
 use carom_scene::{SpatialRollProblem, SpatialRollReport, SpatialRollRun};
 
 /// A body in space, its motion, and what a program is told of it.

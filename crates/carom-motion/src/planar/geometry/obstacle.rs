@@ -240,7 +240,7 @@ impl Obstacle {
 /// crowd.advance(9.0, &mut [(), ()])?;
 /// let speed = |body| crowd.member(body).map(|m| m.state().twist.velocity.x);
 /// assert_eq!((speed(0), speed(1)), (Some(0.0), Some(2.0)));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {

@@ -27,7 +27,7 @@ pub use super::trace::{ContactSample, HeldContact};
 /// let struck = last.0.unwrap();
 /// assert!((struck.time - 0.2).abs() < 1e-12 && (struck.speed - 2.0).abs() < 1e-12);
 /// assert_eq!((struck.obstacle, struck.kind), (0, Some(ImpactType::SticksFromRest)));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImpactFacts {
@@ -81,7 +81,7 @@ pub struct PieceFacts {
 /// while walker.advance(&mut speeds)? == Happening::Moves {}
 /// assert!((speeds.0[0] - 2.0).abs() < 1e-12);
 /// assert!(speeds.0[..6].windows(2).all(|v| (v[1] / v[0] - 0.5).abs() < 1e-12));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 pub trait Observer {
     /// True: samples and whole impacts are made and handed over.
@@ -136,7 +136,7 @@ pub trait Observer {
     ///     }
     /// }
     /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut Fall(&world))?;
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     fn sample(&mut self, time: f64, state: &State, contacts: &mut dyn Iterator<Item = ContactSample>) {
         let _ = (time, state, contacts);
@@ -180,7 +180,7 @@ pub trait Observer {
     /// let mut pull = Pull(None);
     /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut pull)?;
     /// assert!((pull.0.unwrap() + 40.0).abs() < 1e-9);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     fn lifts_off(&mut self, needed_force: f64) {
         let _ = needed_force;
@@ -205,7 +205,7 @@ pub trait Observer {
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// while walker.advance(&mut limit)? == Happening::Moves {}
     /// assert!((limit.0 - 0.6).abs() < 1e-6);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     fn accumulation(&mut self, from: f64, to: f64) {
         let _ = (from, to);

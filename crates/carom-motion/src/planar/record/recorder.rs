@@ -18,7 +18,7 @@ use crate::planar::geometry::State;
 /// let trace = recorder.into_trace();
 /// assert!((trace.impacts[0].time - 0.2).abs() < 1e-12);
 /// assert!((trace.pieces.last().unwrap().end_time - 0.6).abs() < 1e-6);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Recorder {

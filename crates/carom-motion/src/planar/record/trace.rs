@@ -18,7 +18,7 @@ use carom_num::Vec2;
 /// let contact = recorder.trace().pieces[0].samples[0].contacts[0];
 /// assert!((contact.normal_force - 10.0).abs() < 1e-12 && (contact.tangential_force + 3.0).abs() < 1e-12);
 /// assert_eq!((contact.point, contact.slip), (Vec2::ZERO, 3.0));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSample {
@@ -49,7 +49,7 @@ pub struct ContactSample {
 /// Walker::new(&world, start, vec![], Options::default())?.advance(&mut recorder)?;
 /// let trace::Sample { time, state, .. } = recorder.trace().pieces[0].samples[1];
 /// assert!((state.twist.velocity.x - (3.0 - 3.0 * time)).abs() < 1e-9);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
@@ -74,7 +74,7 @@ pub struct Sample {
 /// let held = recorder.trace().pieces[0].held[0];
 /// assert_eq!((held.obstacle, held.slip), (0, Slip::Forward));
 /// assert_eq!(held.feature, Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT });
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HeldContact {
@@ -99,7 +99,7 @@ pub struct HeldContact {
 /// let slide = &recorder.trace().pieces[0];
 /// assert!(matches!(slide.ended_by, trace::PieceEnd::SlipZero(held) if held.slip == Slip::Forward));
 /// assert!((slide.end_time - 1.0 / 3.0).abs() < 1e-9);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PieceEnd {
@@ -145,7 +145,7 @@ pub enum PieceEnd {
 /// let (before, after) = (slide.start.twist, slide.end.twist);
 /// assert!((after.velocity.x / before.velocity.x - 2.0 / 3.0).abs() < 1e-9);
 /// assert!((after.velocity.x + after.spin * 0.1).abs() < 1e-9);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
@@ -177,7 +177,7 @@ pub struct Piece {
 /// let contact = recorder.trace().impacts[0].contacts[0];
 /// assert!((contact.before.normal + 2.0).abs() < 1e-12 && (contact.after.normal - 1.0).abs() < 1e-12);
 /// assert_eq!((contact.before.slip, contact.after.slip), (0.0, 0.0));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactVelocity {
@@ -200,7 +200,7 @@ pub struct ContactVelocity {
 /// let contact = recorder.trace().impacts[0].contacts[0];
 /// assert!((contact.normal_impulse - 3.0).abs() < 1e-12);
 /// assert!((contact.normal_work + 1.5).abs() < 1e-12);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImpactContact {
@@ -244,7 +244,7 @@ pub struct ImpactContact {
 /// let compression = recorder.trace().impacts[0].stages[0].contacts[0];
 /// assert_eq!((compression.normal_impulse[0], compression.normal_velocity[1]), (0.0, 0.0));
 /// assert!((compression.normal_impulse[1] - 2.0).abs() < 1e-12);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactStage {
@@ -273,7 +273,7 @@ pub struct ContactStage {
 /// let stages: Vec<_> = recorder.trace().impacts[0].stages.iter().map(|s| (s.phase, s.ended_by)).collect();
 /// let rebound = (Phase::Restitution, StageEnd::RestitutionEnds);
 /// assert_eq!(stages, [(Phase::Compression, StageEnd::CompressionEnds), rebound]);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImpactStage {
@@ -298,7 +298,7 @@ pub struct ImpactStage {
 /// assert!((impact.energy_before - 2.0).abs() < 1e-12);
 /// assert!((impact.energy_after / impact.energy_before - 0.25).abs() < 1e-12);
 /// assert!(!impact.gained_energy && !impact.without_approach);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
@@ -350,7 +350,7 @@ pub struct Impact {
 /// let trace = recorder.into_trace();
 /// assert!((trace.impacts[1].time - 0.4).abs() < 1e-12 && (trace.impacts[2].time - 0.5).abs() < 1e-12);
 /// assert!((trace.accumulations[0].1 - 0.6).abs() < 1e-6);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {

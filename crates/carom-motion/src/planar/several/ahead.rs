@@ -1,10 +1,10 @@
 //! What the next smooth piece of a motion will bring: looked at beforehand.
 
 use super::island::MOST_TOGETHER;
+use crate::MotionError;
 use crate::planar::geometry::State;
 use crate::planar::walk::{
     path::{Course, Leg},
-    terms::MotionError,
     walker::Walker,
 };
 

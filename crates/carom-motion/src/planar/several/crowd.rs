@@ -6,11 +6,12 @@
 
 use super::ahead::Ahead;
 use super::island::Island;
+use crate::MotionError;
 use crate::evaluated::unless_lost;
 use crate::planar::contact::{World, world::Scales};
 use crate::planar::geometry::State;
 use crate::planar::record::observer::Observer;
-use crate::planar::walk::terms::{Happening, MotionError, Options};
+use crate::planar::walk::terms::{Happening, Options};
 use crate::tolerance::SAME_INSTANT;
 
 /// Bodies of a world on their way.
@@ -46,7 +47,7 @@ use crate::tolerance::SAME_INSTANT;
 /// assert_eq!((met.bodies, crowd.time()), (vec![0, 1], 0.5));
 /// let speed = |body| crowd.member(body).map(|m| m.state().twist.velocity.x);
 /// assert_eq!((speed(0), speed(1)), (Some(-0.25), Some(0.75)));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Crowd<'w> {
@@ -81,7 +82,7 @@ pub struct Crowd<'w> {
 /// assert_eq!((before.bodies, before.happening), (vec![], Happening::Moves));
 /// let met = crowd.advance(1.0, &mut [(), ()])?;
 /// assert_eq!((met.bodies, met.happening), (vec![0, 1], Happening::Moves));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advance {
@@ -154,7 +155,7 @@ impl<'w> Crowd<'w> {
     /// assert_eq!(crowd.advance(9.0, &mut [(), ()])?.bodies, [0, 1]);
     /// let speed = |body| crowd.member(body).map_or(0.0, |m| m.state().twist.velocity.x);
     /// assert_eq!(speed(1) - speed(0), 1.0);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn advance<O: Observer>(&mut self, until: f64, observers: &mut [O]) -> Result<Advance, MotionError> {
         let observers = &mut seen_by(observers);
@@ -223,7 +224,7 @@ impl<'w> Crowd<'w> {
     /// crowd.advance(0.25, &mut [(), ()])?;
     /// crowd.pause(&mut [(), ()])?;
     /// assert_eq!(crowd.member(0).map(|m| (m.time(), m.state().pose.centre.x)), Some((0.25, 0.5)));
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn pause<O: Observer>(&mut self, observers: &mut [O]) -> Result<(), MotionError> {
         let observers = &mut seen_by(observers);

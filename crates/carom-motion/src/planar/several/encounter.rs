@@ -3,9 +3,9 @@
 use super::crowd::{Advance, Crowd};
 use super::island::Island;
 use super::meeting::Approach;
+use crate::MotionError;
 use crate::planar::contact::kinematics::{Pairing, turns};
 use crate::planar::record::observer::Observer;
-use crate::planar::walk::terms::MotionError;
 use crate::tolerance::TOUCHING_GAP;
 
 /// Two bodies that meet, with which features, and when.

@@ -2,6 +2,7 @@
 
 use super::ahead::Ahead;
 use super::outlook::Outlook;
+use crate::MotionError;
 use crate::planar::contact::{World, kinematics::Pairing};
 use crate::planar::geometry::{State, Twist};
 use crate::planar::record::{
@@ -11,7 +12,7 @@ use crate::planar::record::{
 use crate::planar::walk::{
     accumulation::Recent,
     collide::Closed,
-    terms::{Effort, Happening, Margin, MotionError, Options},
+    terms::{Effort, Happening, Margin, Options},
     walker::Walker,
 };
 use std::borrow::Cow;

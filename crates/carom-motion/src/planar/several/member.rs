@@ -4,9 +4,10 @@ use super::crowd::Crowd;
 use super::island::Island;
 use super::meeting::Approach;
 use super::outlook::Outlook;
+use crate::MotionError;
 use crate::planar::geometry::State;
 use crate::planar::record::trace::HeldContact;
-use crate::planar::walk::terms::{Effort, Happening, Margin, MotionError};
+use crate::planar::walk::terms::{Effort, Happening, Margin};
 use crate::tolerance::MET_GAP;
 
 impl<'w> Crowd<'w> {
@@ -33,7 +34,7 @@ impl<'w> Crowd<'w> {
     /// let speed = |body| crowd.member(body).map(|m| m.state().twist.velocity.x);
     /// assert_eq!(speed(0).zip(speed(1)).map(|(v, w)| v + 3.0 * w), Some(2.0));
     /// assert!(crowd.member(2).is_none());
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn member(&self, body: usize) -> Option<Member<'_>> {
         self.island_of(body).map(|(island, place)| Member { island, place })
@@ -53,7 +54,7 @@ impl<'w> Crowd<'w> {
     /// crowd.enter(1, at(1.2, 0.0), vec![])?;
     /// assert!(crowd.has_room(0, &at(0.9, 0.0))?);
     /// assert!(!crowd.has_room(0, &at(1.1, 0.0))?);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn has_room(&mut self, body: usize, state: &State) -> Result<bool, MotionError> {
         self.watching(|crowd| {
@@ -92,7 +93,7 @@ impl<'w> Crowd<'w> {
 /// let ball = crowd.member(0).unwrap();
 /// assert_eq!((ball.time(), ball.state().twist.velocity.x, ball.ended()), (0.0, 2.0, None));
 /// assert!(ball.held().is_empty());
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Member<'c> {

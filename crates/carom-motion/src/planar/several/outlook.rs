@@ -30,7 +30,7 @@ impl Walker<'_, 1> {
     /// let walker = Walker::new(&world, start, vec![], Options::default())?;
     /// let Outlook::Meets { obstacle: 0, state } = walker.outlook() else { panic!("it falls on the floor") };
     /// assert!((state.twist.velocity.y + 2.0).abs() < 1e-12);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn outlook(&self) -> Outlook {
         if self.held_of(0).next().is_some() {

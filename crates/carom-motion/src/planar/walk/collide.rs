@@ -1,8 +1,9 @@
 //! What happens where features meet: the impact, and the question asked again after it.
 
 use super::accumulation::Series;
-use super::terms::{Happening, MarginOf, MotionError};
+use super::terms::{Happening, MarginOf};
 use super::walker::Walker;
+use crate::MotionError;
 use crate::planar::contact::{
     kinematics::{Kinematics, Pairing},
     touching::{Few, MOST_TOUCHING, Search},

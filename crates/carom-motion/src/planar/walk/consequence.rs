@@ -2,8 +2,9 @@
 
 use super::collide::Closed;
 use super::events::Event;
-use super::terms::{Happening, MotionError};
+use super::terms::Happening;
 use super::walker::Walker;
+use crate::MotionError;
 use crate::planar::contact::{
     kinematics::Pairing,
     touching::{Few, Search},

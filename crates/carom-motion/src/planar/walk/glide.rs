@@ -3,8 +3,9 @@
 use super::events::{Event, Vector, pack, rate, unpack};
 use super::gliding::{Gliding, Over};
 use super::path::{Course, Stretch};
-use super::terms::{Happening, MotionError};
+use super::terms::Happening;
 use super::walker::Walker;
+use crate::MotionError;
 use crate::planar::geometry::{Feature, State};
 use crate::planar::modes::{
     mode::{Forces, Held},

@@ -26,7 +26,7 @@ impl Walker<'_> {
     /// walker.advance(&mut ())?;
     /// let on_floor = Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT };
     /// assert_eq!((walker.held().count(), walker.in_touch()), (0, vec![(0, on_floor)]));
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn in_touch(&self) -> Vec<(usize, Feature)> {
         self.touching(0.0).iter().map(|pair| (pair.obstacle, pair.feature)).collect()

@@ -20,5 +20,5 @@ mod swing;
 pub(in crate::planar) mod terms;
 pub(in crate::planar) mod walker;
 
-pub use terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
+pub use terms::{Effort, Happening, Margin, MarginOf, Options};
 pub use walker::Walker;

@@ -1,8 +1,6 @@
 //! What a walk is given, and what it says: options, happenings, errors, effort and margin.
 
 use crate::tolerance::{MOST_SIGNIFICANT_RATE, PLANAR_TOLERANCE, SIGNIFICANT_RATE};
-use carom_impact::ImpactError;
-use thiserror::Error;
 
 /// How exactly and how long to walk.
 ///
@@ -16,7 +14,7 @@ use thiserror::Error;
 /// assert_eq!(walker.advance(&mut ())?, Happening::Moves);
 /// assert_eq!(walker.advance(&mut ())?, Happening::BudgetSpent);
 /// assert!((walker.time() - 0.2).abs() < 1e-12);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -78,7 +76,8 @@ impl Effort {
 /// A block on a slope of 3 in 4 (gravity (6, −8) along it) holds from μ = 3/4 on: the nearer to that, the
 /// smaller the margin.
 /// ```
-/// use carom_motion::planar::{Margin, MarginOf, MotionError, Options, Walker, examples};
+/// use carom_motion::MotionError;
+/// use carom_motion::planar::{Margin, MarginOf, Options, Walker, examples};
 /// use carom_num::Vec2;
 /// let margin = |friction: f64| -> Result<Margin, MotionError> {
 ///     let (world, start) = examples::lying_block(Vec2::new(6.0, -8.0), friction);
@@ -88,7 +87,7 @@ impl Effort {
 /// };
 /// assert_eq!(margin(0.76)?.of, MarginOf::Rate);
 /// assert!(0.0 < margin(0.76)?.value && margin(0.76)?.value < margin(0.9)?.value);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margin {
@@ -116,7 +115,8 @@ pub enum MarginOf {
 /// # Example
 /// A ball that falls past a floor flies away; one over it comes to rest.
 /// ```
-/// use carom_motion::planar::{Happening, MotionError, Options, Pose, State, Walker, examples};
+/// use carom_motion::MotionError;
+/// use carom_motion::planar::{Happening, Options, Pose, State, Walker, examples};
 /// use carom_num::Vec2;
 /// let (world, start) = examples::falling_ball();
 /// let end = |x: f64| -> Result<Happening, MotionError> {
@@ -126,7 +126,7 @@ pub enum MarginOf {
 ///     walker.advance(&mut ())
 /// };
 /// assert_eq!((end(-2.0)?, end(0.0)?), (Happening::FliesAway, Happening::Rests));
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Happening {
@@ -144,60 +144,4 @@ pub enum Happening {
     Swings,
     /// The budget of time or events is used up.
     BudgetSpent,
-}
-
-/// Why a walk cannot go on: a fault of the numbers, not of the physics.
-///
-/// # Example
-/// A body that is nowhere cannot move.
-/// ```
-/// use carom_motion::planar::{MotionError, Options, Pose, State, Walker, examples};
-/// use carom_num::Vec2;
-/// let (world, start) = examples::falling_ball();
-/// let nowhere = State { pose: Pose { centre: Vec2::new(f64::NAN, 0.0), angle: 0.0 }, ..start };
-/// let error = Walker::new(&world, nowhere, vec![], Options::default()).unwrap_err();
-/// assert_eq!(error, MotionError::NotFinite { time: 0.0 });
-/// assert_eq!(error.to_string(), "the motion is not finite at t = 0 s");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum MotionError {
-    /// A number that is not finite appeared.
-    #[error("the motion is not finite at t = {time} s")]
-    NotFinite {
-        /// When [s].
-        time: f64,
-    },
-    /// The integration needs steps below rounding.
-    #[error("the integration needs a step of {step} s at t = {time} s")]
-    StepTooSmall {
-        /// When [s].
-        time: f64,
-        /// The step [s].
-        step: f64,
-    },
-    /// One piece of the motion needs more steps than it is given: nothing happens that would end it, and the steps it needs are minute.
-    #[error("at t = {time} s one piece of the motion has taken {steps} steps")]
-    TooManySteps {
-        /// When [s].
-        time: f64,
-        /// How many it was given.
-        steps: u32,
-    },
-    /// More bodies touch each other at once than are walked together.
-    #[error("at t = {time} s more than {most} bodies touch each other")]
-    TooManyTogether {
-        /// When [s].
-        time: f64,
-        /// How many may.
-        most: usize,
-    },
-    /// The impact kernel refused: more contacts at once than fit, or no end of its stages.
-    #[error("at t = {time} s: {error}")]
-    Impact {
-        /// When [s].
-        time: f64,
-        /// What the impact said.
-        error: ImpactError,
-    },
 }

@@ -2,7 +2,8 @@
 
 use super::accumulation::Recent;
 use super::path::Leg;
-use super::terms::{Effort, Happening, Margin, MarginOf, MotionError, Options};
+use super::terms::{Effort, Happening, Margin, MarginOf, Options};
+use crate::MotionError;
 use crate::evaluated::{unless_lost, watched};
 use crate::planar::contact::{
     World,
@@ -36,7 +37,7 @@ use std::borrow::Cow;
 /// assert_eq!(walker.advance(&mut ())?, Happening::Moves);
 /// assert!((walker.time() - 0.2).abs() < 1e-12);
 /// assert!((walker.state().twist.velocity.y - 1.0).abs() < 1e-12);
-/// # Ok::<(), carom_motion::planar::MotionError>(())
+/// # Ok::<(), carom_motion::MotionError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Walker<'w, const B: usize = 1> {
@@ -110,7 +111,7 @@ impl<'w> Walker<'w> {
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// walker.advance(&mut ())?;
     /// assert_eq!(walker.held().map(|h| h.slip).collect::<Vec<_>>(), [Slip::Sticks, Slip::Sticks]);
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn held(&self) -> impl Iterator<Item = HeldContact> + '_ {
         self.held_of(0)
@@ -128,7 +129,7 @@ impl<'w> Walker<'w> {
     /// let mut walker = Walker::new(&world, start, vec![], Options::default())?;
     /// walker.advance(&mut ())?;
     /// assert_eq!(walker.flat_on(0), Some(0));
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn flat_on(&self, obstacle: usize) -> Option<usize> {
         self.lies_flat(0, obstacle)
@@ -149,7 +150,7 @@ impl<'w> Walker<'w> {
     ///     assert_eq!(walker.advance(&mut ())?, Happening::Moves);
     ///     assert!((walker.time() - time).abs() < 1e-12);
     /// }
-    /// # Ok::<(), carom_motion::planar::MotionError>(())
+    /// # Ok::<(), carom_motion::MotionError>(())
     /// ```
     pub fn advance(&mut self, observer: &mut dyn Observer) -> Result<Happening, MotionError> {
         let time = self.time;

@@ -2,9 +2,8 @@
 
 use super::SpatialRollProblem;
 use crate::roll::poses::{RollPose, Sampler};
-use carom_motion::spatial::{
-    Budget, Closing, End, Impact, Mode, MotionError, Observer, Piece, Run, State, run,
-};
+use carom_motion::MotionError;
+use carom_motion::spatial::{Budget, Closing, End, Impact, Mode, Observer, Piece, Run, State, run};
 use std::ops::ControlFlow;
 
 /// Strikes that are followed where nothing is written.

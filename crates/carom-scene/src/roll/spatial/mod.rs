@@ -41,7 +41,8 @@ pub use throws::THROW_DIMENSIONS;
 use super::RollProblems;
 use super::poses::{PosesError, shown};
 use crate::input::{Disk, Files};
-use carom_motion::spatial::{Choice, MotionError, Options, Overturning, State, Supports, World};
+use carom_motion::MotionError;
+use carom_motion::spatial::{Choice, Options, Overturning, State, Supports, World};
 use carom_num::Vec3;
 
 /// Steps after which a body is no longer followed: some come of each strike, and what takes more makes no way.

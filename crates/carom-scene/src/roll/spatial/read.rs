@@ -8,7 +8,8 @@ use crate::input::{Beside, Files};
 use crate::roll::RollProblems;
 use crate::roll::bodies::unfit;
 use crate::roll::read::read_overridden;
-use carom_motion::spatial::{MotionError, Options, World, run};
+use carom_motion::MotionError;
+use carom_motion::spatial::{Options, World, run};
 use carom_num::Vec3;
 use std::path::Path;
 

@@ -13,8 +13,9 @@ use super::glide::MOST_STEPS;
 use super::gliding::Over;
 use super::path::{Course, Stretch};
 use super::swing::Swing;
-use super::terms::{Happening, MotionError};
+use super::terms::Happening;
 use super::walker::Walker;
+use crate::MotionError;
 use crate::planar::contact::{World, kinematics::Pairing, separation::Bounds, touching::Few, world::Scales};
 use crate::planar::geometry::Feature;
 use crate::planar::modes::{
