@@ -18,7 +18,7 @@ struct House {
     ground: &'static [&'static str],
 }
 
-const HOUSES: [House; 2] = [
+const HOUSES: [House; 3] = [
     House {
         folder: "crates/carom-impact/src",
         path: "crate::",
@@ -41,6 +41,12 @@ const HOUSES: [House; 2] = [
         path: "crate::planar::",
         rooms: &[("geometry", 0), ("record", 1), ("contact", 1), ("modes", 2), ("walk", 3), ("several", 4)],
         ground: &[],
+    },
+    House {
+        folder: "crates/carom-motion/src/spatial",
+        path: "crate::spatial::",
+        rooms: &[("geometry", 0), ("modes", 1), ("record", 2), ("walk", 3)],
+        ground: &["terms"],
     },
 ];
 

@@ -11,7 +11,7 @@ mod reach;
 mod stepper;
 
 pub use reach::{Found, placed};
-pub use stepper::{Lost, Stepper, Stop, walk};
+pub use stepper::{Lost, Stepper, Stop, Walked, walk};
 
 use crate::ode8::{Step, Trial, Vector, length_factor, step_plain};
 use reach::reach;

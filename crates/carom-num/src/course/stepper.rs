@@ -61,7 +61,7 @@ pub trait Stepper {
 /// assert!(matches!(walk(&mut Count(1), 100), Ok(Stop::Event { event: 8, .. })));
 /// assert!(matches!(walk(&mut Count(1), 5), Err(Lost::Steps)));
 /// ```
-pub fn walk<S: Stepper>(stepper: &mut S, most_steps: usize) -> Result<Stop<S::Step, S::Event, S::End>, Lost> {
+pub fn walk<S: Stepper>(stepper: &mut S, most_steps: usize) -> Result<Walked<S>, Lost> {
     for _ in 0..most_steps {
         if let Some(end) = stepper.end() {
             return Ok(Stop::End(end));
@@ -91,6 +91,9 @@ pub enum Stop<Step, Event, End> {
     /// [`Stepper::end`] knew the rest.
     End(End),
 }
+
+/// Where a stepper was left.
+pub type Walked<S> = Stop<<S as Stepper>::Step, <S as Stepper>::Event, <S as Stepper>::End>;
 
 /// Why a walk has no end.
 ///

@@ -1,0 +1,11 @@
+//! Bodies, the plane under them, and where they are.
+
+pub(in crate::spatial) mod body;
+pub(in crate::spatial) mod friction;
+pub(in crate::spatial) mod hull;
+pub(in crate::spatial) mod polyhedron;
+pub(in crate::spatial) mod posture;
+pub(in crate::spatial) mod solid;
+pub(in crate::spatial) mod state;
+pub(in crate::spatial) mod supports;
+pub(in crate::spatial) mod world;

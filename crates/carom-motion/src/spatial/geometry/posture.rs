@@ -1,0 +1,86 @@
+//! A body at one instant of its motion: heights of its supports, and how they change.
+//!
+//! All in body axes, where the supports stay and the plane's normal e turns: `ė = e × ω`. A stretch of motion starts with known heights, and an instant
+//! says how much they have risen since: so the height of a hop keeps its digits, however small it is beside the body.
+
+use carom_num::poly::first_root;
+use carom_num::{Rotation, Vec3};
+
+/// A height and its first two derivatives [m, m/s, m/s²].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::spatial) struct Height {
+    pub(in crate::spatial) value: f64,
+    pub(in crate::spatial) rate: f64,
+    pub(in crate::spatial) second: f64,
+}
+
+/// A body at one instant.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Posture {
+    /// The turn since the start of the stretch: the body's axes now in those of then.
+    pub(in crate::spatial) turned: Rotation,
+    /// The plane's normal, in body axes as they were at the start.
+    pub(in crate::spatial) up_then: Vec3,
+    /// The plane's normal, body axes.
+    pub(in crate::spatial) up: Vec3,
+    /// Angular velocity and acceleration, body axes.
+    pub(in crate::spatial) spin: Vec3,
+    pub(in crate::spatial) turning: Vec3,
+    /// The point that has risen by `base`, from the mass centre, body axes.
+    pub(in crate::spatial) from: Vec3,
+    pub(in crate::spatial) base: Height,
+}
+
+impl Posture {
+    /// The height of a point of the body that started at a height.
+    pub(in crate::spatial) fn height(&self, arm: Vec3, start: f64) -> Height {
+        let d = arm - self.from;
+        let across = self.spin.cross(d);
+        let bent = self.turning.cross(d) + self.spin.cross(across);
+        // What a rotation adds to a vector, without the vector itself.
+        let twice = self.turned.v.cross(d) * 2.0;
+        let moved = twice * self.turned.w + self.turned.v.cross(twice);
+        Height {
+            value: start + (self.base.value + self.up_then.dot(moved)),
+            rate: self.base.rate + self.up.dot(across),
+            second: self.base.second + self.up.dot(bent),
+        }
+    }
+}
+
+impl Height {
+    /// For how long a point stays above the plane at least, if its acceleration never exceeds `bound` in size: the first root of
+    /// `h + ḣ t − bound t²/2`.
+    pub(in crate::spatial) fn safe(&self, bound: f64) -> f64 {
+        first_root(self.value.max(0.0), self.rate, bound)
+    }
+
+    /// When a point that comes down has reached the plane at the latest, if its acceleration never exceeds `bound` and `ḣ² ≥ 2 bound h`: the first
+    /// root of `h + ḣ t + bound t²/2`.
+    pub(in crate::spatial) fn sure(&self, bound: f64) -> f64 {
+        let (h, rate) = (self.value.max(0.0), self.rate);
+        2.0 * h / ((rate * rate - 2.0 * bound * h).max(0.0).sqrt() - rate)
+    }
+
+    /// When it would come down, were its acceleration to stay.
+    pub(in crate::spatial) fn forecast(&self) -> Option<f64> {
+        let (h, rate, bend) = (self.value.max(0.0), self.rate, self.second);
+        let root = (rate * rate - 2.0 * bend * h).sqrt();
+        let time = if rate > 0.0 { -(rate + root) / bend } else { 2.0 * h / (root - rate) };
+        (time > 0.0 && time.is_finite()).then_some(time)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stone_falls_when_it_is_foreseen_to() {
+        let thrown = Height { value: 1.0, rate: 2.0, second: -4.0 };
+        let time = thrown.forecast().unwrap();
+        assert!((1.0 + 2.0 * time - 2.0 * time * time).abs() < 1e-14, "{time}");
+        assert!((thrown.safe(4.0) - time).abs() < 1e-15, "the bound is met: {}", thrown.safe(4.0));
+        assert_eq!(Height { value: 1.0, rate: 1.0, second: 1.0 }.forecast(), None);
+    }
+}

@@ -1,0 +1,85 @@
+//! The contacts of an impact with friction.
+
+use crate::spatial::geometry::friction::Friction;
+use crate::spatial::geometry::state::State;
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::geometry::world::World;
+use crate::tolerance::SLIP_ROUNDING;
+use carom_impact::ImpactError;
+use carom_impact::spatial::{ContactSet, Touch};
+use carom_num::Vec3;
+
+/// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it. The contacts are in the supports'
+/// order. Those that are `held` have stayed on the plane and do not approach; the others approach as the motion says.
+///
+/// Asked with an [`Impact`](crate::spatial::record::run::Impact)'s `touching` and `held` and the state before it, it is the question that the run has asked: the walk, observed, says
+/// which other ways there were.
+///
+/// # Errors
+/// As [`ContactSet::of_free_body`]. In a world without friction the contacts have none.
+///
+/// # Example
+/// A cube of 1 m and 1 kg comes down flat with 2 m/s. An impulse at one corner moves that corner with `1/m +
+/// s²/J = 1 + 6/2`, and the opposite one with `1 − 6/2`.
+/// ```
+/// use carom_motion::spatial::{State, Supports, World, examples, frictional_contacts};
+/// use carom_num::{Rotation, Vec3};
+/// let cube = examples::cube();
+/// let down = State { velocity: Vec3::Z * -2.0, ..State::standing(&cube, 0, Rotation::NONE, Vec3::ZERO) };
+/// let world = World::new(cube, Vec3::Z * -10.0).unwrap();
+/// let set = frictional_contacts::<4>(&world, &down, (0..4).collect(), Supports::NONE)?;
+/// assert_eq!((set.count, set.velocity[0].z), (4, -2.0));
+/// let moved = [0, 2].map(|corner| set.operator[0][corner].rows[2].z);
+/// assert!((moved[0] - 4.0).abs() < 1e-14 && (moved[1] + 2.0).abs() < 1e-14);
+/// # Ok::<(), carom_impact::ImpactError>(())
+/// ```
+pub fn frictional_contacts<const N: usize>(
+    world: &World,
+    before: &State,
+    touching: Supports,
+    held: Supports,
+) -> Result<ContactSet<N>, ImpactError> {
+    let mut set = contacts_of(world, before, touching)?;
+    let size = before.velocity.norm() + before.spin.norm() * world.body().reach();
+    let slips = slips_on_plane(world, before, touching, size);
+    for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
+        let fall = if held.contains(i) { 0.0 } else { before.velocity_of(world.body().supports()[i]).z };
+        set.velocity[k] = set.frame[k] * Vec3::new(slip.x, slip.y, fall);
+    }
+    Ok(set)
+}
+
+/// Supports that touch, as impact and rate problem take them.
+pub(in crate::spatial) fn contacts_of<const N: usize>(
+    world: &World,
+    state: &State,
+    asked: Supports,
+) -> Result<ContactSet<N>, ImpactError> {
+    let touch = |i: usize| Touch {
+        arm: state.attitude.apply(world.body().supports()[i]),
+        normal: Vec3::Z,
+        friction: world.friction().map_or(0.0, |f| f.coefficient(i)),
+        restitution: world.friction().map_or(0.0, Friction::restitution),
+    };
+    let touches: Vec<Touch> = asked.iter().map(touch).collect();
+    ContactSet::of_free_body(&state.rigid(world.body()), &touches)
+}
+
+/// Slips of supports that all touch the plane, world axes: those of one motion along it, exactly. Slips that are zero but for rounding are zero, and the
+/// others are of the turn about such a support.
+///
+/// Their distances do not change, so that differences of slips along them are nothing but the rounding of the body's speeds. A hop may be slower than that is
+/// relative to it, and in its impact no impulse could ever bring such a slip to rest.
+fn slips_on_plane(world: &World, state: &State, touching: Supports, size: f64) -> Vec<Vec3> {
+    let supports = world.body().supports();
+    let along = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
+    let slips: Vec<Vec3> = touching.iter().map(|i| along(state.velocity_of(supports[i]))).collect();
+    let arms: Vec<Vec3> = touching.iter().map(|i| along(state.attitude.apply(supports[i]))).collect();
+    let slowest = (0..slips.len()).min_by(|&i, &j| slips[i].norm().total_cmp(&slips[j].norm()));
+    let Some(base) = slowest else { return slips };
+    let own = if slips[base].norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slips[base] };
+    let turn = Vec3::Z * state.attitude.apply(state.spin).z;
+    let of = |arm: &Vec3| own + turn.cross(*arm - arms[base]);
+    let rounded = |slip: Vec3| if slip.norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slip };
+    arms.iter().map(of).map(rounded).collect()
+}

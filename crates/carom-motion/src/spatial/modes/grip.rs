@@ -1,0 +1,136 @@
+//! What supports that carry a body do to it, each sticking or sliding in a direction that is known.
+
+use crate::spatial::geometry::body::Body;
+use crate::tolerance::MODE_RANK;
+use carom_num::Vec3;
+use carom_num::solve::{solve_any, solve_regular};
+
+/// Supports that carry a body at once, at most.
+pub(in crate::spatial) const MOST_BEARING: usize = 8;
+/// Unknown forces: one for each support that slides, three for each that sticks.
+const MOST: usize = 3 * MOST_BEARING;
+
+/// A support that carries the body, in body axes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::spatial) struct Bearing {
+    /// From the mass centre \[m\].
+    pub(in crate::spatial) arm: Vec3,
+    pub(in crate::spatial) friction: f64,
+    pub(in crate::spatial) sticks: bool,
+    /// Unit vector of its slip; zero where it sticks.
+    pub(in crate::spatial) toward: Vec3,
+    /// What the forces have to take away: its acceleration without them, or its velocity.
+    pub(in crate::spatial) drive: Vec3,
+}
+
+/// What these supports do.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Reactions {
+    /// On each of them, body axes.
+    pub(in crate::spatial) forces: [Vec3; MOST_BEARING],
+    /// The normal part of each.
+    pub(in crate::spatial) normals: [f64; MOST_BEARING],
+    /// All of them, and their moment about the mass centre.
+    pub(in crate::spatial) force: Vec3,
+    pub(in crate::spatial) moment: Vec3,
+    /// Of one support that slides: `m W_nn` with friction along. It presses the body out where this is positive.
+    pub(in crate::spatial) regularity: f64,
+}
+
+/// Where forces act and what they do, for a plane whose normal and tangents are these.
+pub(in crate::spatial) struct Grip<'a> {
+    pub(in crate::spatial) body: &'a Body,
+    pub(in crate::spatial) up: Vec3,
+    pub(in crate::spatial) axes: [Vec3; 2],
+    pub(in crate::spatial) bearings: &'a [Bearing],
+}
+
+/// A direction in which a support can push with one unknown, and how the body responds.
+#[derive(Clone, Copy, Default)]
+struct Push {
+    of: usize,
+    force: Vec3,
+    linear: Vec3,
+    angular: Vec3,
+    /// Along what its support must not move.
+    axis: Vec3,
+}
+
+impl Grip<'_> {
+    /// The forces under which no support moves along the normal, and none that sticks moves at all. Of a family of such forces, the shortest. `None`
+    /// where there are none.
+    pub(in crate::spatial) fn reactions(&self) -> Option<Reactions> {
+        let (pushes, count) = self.pushes();
+        let pushes = &pushes[..count];
+        match count {
+            0 => Some(self.of(&[], pushes, 1.0)),
+            1 => {
+                let one = &pushes[0];
+                let own = self.moved_along(one, one);
+                let normal = -self.bearings[0].drive.dot(one.axis) / own;
+                Some(self.of(&[normal], pushes, own * self.body.mass()))
+            }
+            2..=4 => self.solved::<4>(pushes),
+            5..=10 => self.solved::<10>(pushes),
+            _ => self.solved::<MOST>(pushes),
+        }
+    }
+
+    fn pushes(&self) -> ([Push; MOST], usize) {
+        let (mut pushes, mut count) = ([Push::default(); MOST], 0);
+        for (of, b) in self.bearings.iter().enumerate() {
+            let mut push = |force: Vec3, axis: Vec3| {
+                let angular = self.body.mobility() * b.arm.cross(force);
+                pushes[count] = Push { of, force, linear: force / self.body.mass(), angular, axis };
+                count += 1;
+            };
+            if b.sticks {
+                self.axes.iter().for_each(|axis| push(*axis, *axis));
+                push(self.up, self.up);
+            } else {
+                push(self.up - b.toward * b.friction, self.up);
+            }
+        }
+        (pushes, count)
+    }
+
+    /// Response of the constraint `of` to a unit force of the push `by`: acceleration of its support along its axis [1/kg].
+    fn moved_along(&self, by: &Push, of: &Push) -> f64 {
+        of.axis.dot(by.linear + by.angular.cross(self.bearings[of.of].arm))
+    }
+
+    fn solved<const M: usize>(&self, pushes: &[Push]) -> Option<Reactions> {
+        let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
+        for (k, of) in pushes.iter().enumerate() {
+            for (l, by) in pushes.iter().enumerate() {
+                matrix[k][l] = self.moved_along(by, of);
+            }
+            right[k] = -self.bearings[of.of].drive.dot(of.axis);
+        }
+        if let Some(x) = solve_regular(matrix, right, pushes.len(), MODE_RANK) {
+            return Some(self.of(&x, pushes, 1.0));
+        }
+        let mut family = solve_any(matrix, right, pushes.len(), MODE_RANK)?;
+        family.shorten();
+        Some(self.of(&family.point, pushes, 1.0))
+    }
+
+    fn of(&self, x: &[f64], pushes: &[Push], regularity: f64) -> Reactions {
+        let mut out = Reactions {
+            forces: [Vec3::ZERO; MOST_BEARING],
+            normals: [0.0; MOST_BEARING],
+            force: Vec3::ZERO,
+            moment: Vec3::ZERO,
+            regularity,
+        };
+        for (x, push) in x.iter().zip(pushes) {
+            out.forces[push.of] += push.force * *x;
+        }
+        for (i, b) in self.bearings.iter().enumerate() {
+            out.normals[i] = out.forces[i].dot(self.up);
+            out.force += out.forces[i];
+            out.moment += b.arm.cross(out.forces[i]);
+        }
+        out
+    }
+}

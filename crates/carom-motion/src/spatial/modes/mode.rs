@@ -1,0 +1,292 @@
+//! What a body does between events: it flies, turns about a support or an edge, or rests; its equations and the forces on it.
+
+use crate::spatial::geometry::body::Body;
+use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::geometry::world::World;
+use crate::tolerance::ON_EDGE;
+use carom_num::{Mat3, Rotation, Vec3};
+
+/// What a body does.
+///
+/// # Example
+/// A cube that falls flies until it lies on all its corners.
+/// ```
+/// use carom_motion::spatial::{Mode, Options, Samples, examples, run};
+/// let (world, start) = examples::falling_cube();
+/// let mut samples = Samples::default();
+/// run(&world, &start, &Options::default(), &mut samples)?;
+/// assert_eq!(samples.pieces[0].mode, Mode::Flight);
+/// # Ok::<(), carom_motion::MotionError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mode {
+    /// No support is held.
+    Flight,
+    /// It turns about one support, which is held.
+    Pivot {
+        /// Which one.
+        support: usize,
+    },
+    /// It turns about an edge.
+    Edge {
+        /// The supports at its ends; others may lie between.
+        ends: [usize; 2],
+        /// The unit vector from the first to the second, body axes.
+        along: Vec3,
+    },
+    /// Three or more supports that are not on one line are held.
+    Rest {
+        /// Which ones.
+        held: Supports,
+    },
+    /// Supports slide along the plane.
+    Slides {
+        /// Those that rest, which the body turns about, or none.
+        sticking: Supports,
+        /// Those that slide and carry the body.
+        slipping: Supports,
+    },
+}
+
+/// The distance of a point from the line through another, along a unit vector.
+fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
+    (point - on).cross(along).norm()
+}
+
+impl Mode {
+    /// What a body does while these supports, and no others, are held.
+    pub(in crate::spatial) fn holding(body: &Body, held: Supports) -> Self {
+        let place = |i: usize| body.supports()[i];
+        let Some(first) = held.iter().next() else { return Self::Flight };
+        let distance = |i: usize, j: usize| (place(i) - place(j)).norm();
+        // The ends of a line are a support farthest from any, and the one farthest from that.
+        let farthest = |from: usize| {
+            held.iter().max_by(|a, b| distance(from, *a).total_cmp(&distance(from, *b))).unwrap_or(from)
+        };
+        let one = farthest(first);
+        let other = farthest(one);
+        let ends = [one.min(other), one.max(other)];
+        let Some(along) = (place(ends[1]) - place(ends[0])).unit() else {
+            return Self::Pivot { support: first };
+        };
+        let collinear = |i: usize| off_line(place(i), place(ends[0]), along) <= ON_EDGE * body.reach();
+        if held.iter().all(collinear) { Self::Edge { ends, along } } else { Self::Rest { held } }
+    }
+
+    /// The supports that stay on the plane as long as this goes on.
+    pub fn held(&self, body: &Body) -> Supports {
+        match *self {
+            Self::Flight => Supports::NONE,
+            Self::Pivot { support } => Supports::one(support),
+            Self::Rest { held } => held,
+            Self::Slides { sticking, slipping } => spanned(body, sticking.union(slipping)),
+            Self::Edge { ends, along } => {
+                let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_EDGE * body.reach();
+                body.supports().iter().enumerate().filter(|(_, r)| on(r)).map(|(i, _)| i).collect()
+            }
+        }
+    }
+
+    /// The support whose place the motion is reckoned from.
+    pub(in crate::spatial) fn foot(&self) -> Option<usize> {
+        match *self {
+            Self::Flight => None,
+            Self::Pivot { support } => Some(support),
+            Self::Edge { ends, .. } => Some(ends[0]),
+            Self::Rest { held } => held.iter().next(),
+            Self::Slides { sticking, slipping } => sticking.iter().next().or(slipping.iter().next()),
+        }
+    }
+}
+
+/// The supports on the point, line or plane that these span: they stay on the plane with them.
+pub(in crate::spatial) fn spanned(body: &Body, bearing: Supports) -> Supports {
+    let Mode::Rest { held } = Mode::holding(body, bearing) else {
+        return Mode::holding(body, bearing).held(body);
+    };
+    let place = |i: usize| body.supports()[i];
+    let (Some(first), Some(normal)) = (held.iter().next(), normal_of(body, held)) else { return held };
+    let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_EDGE * body.reach();
+    held.union((0..body.supports().len()).filter(on).collect())
+}
+
+/// The unit normal of the plane through three or more supports.
+pub(in crate::spatial) fn normal_of(body: &Body, held: Supports) -> Option<Vec3> {
+    let place = |i: usize| body.supports()[i];
+    let first = held.iter().next()?;
+    let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
+    let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();
+    let normals = others.iter().flat_map(crossed);
+    normals.max_by(|a, b| a.norm().total_cmp(&b.norm()))?.unit()
+}
+
+/// The turn since the start of a stretch (w, x, y, z) and the spin in body axes, as the integration takes them.
+pub(in crate::spatial) type Vector = [f64; 7];
+
+pub(super) fn pack(turned: Rotation, spin: Vec3) -> Vector {
+    let [w, x, y, z] = turned.to_array();
+    [w, x, y, z, spin.x, spin.y, spin.z]
+}
+
+/// Turn as it stands and spin. Only a unit quaternion is a rotation.
+pub(super) fn unpack(y: &Vector) -> (Rotation, Vec3) {
+    (Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) }, Vec3::new(y[4], y[5], y[6]))
+}
+
+/// The same motion with a unit quaternion.
+pub(in crate::spatial) fn normalised(y: &Vector) -> Vector {
+    let (turned, spin) = unpack(y);
+    pack(Rotation::of(turned.to_array()).unwrap_or(turned), spin)
+}
+
+/// The equations of a mode.
+///
+/// ```text
+/// pivot about s:  J_s ω̇ = −m s × g − ω × J_s ω        J_s = J + m (s² 1 − s sᵀ), g in body axes
+/// edge along u:   u·J_s u ω̇ = −m u·(s × g) u
+/// flight:         J ω̇ = −ω × J ω
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Equations {
+    mode: Mode,
+    mass: f64,
+    /// Gravity and the plane's normal, in body axes as they are at the start.
+    gravity: Vec3,
+    up: Vec3,
+    /// The foot from the mass centre, body axes; zero in flight.
+    arm: Vec3,
+    /// About the mass centre, and about the foot.
+    inertia: Mat3,
+    about: Mat3,
+    inverse: Mat3,
+    /// Length of the edge.
+    length: f64,
+}
+
+impl Equations {
+    /// `None` where the inertia about the foot has no inverse, by overflow.
+    pub(in crate::spatial) fn of(world: &World, mode: Mode, start: Rotation) -> Option<Self> {
+        let body = world.body();
+        let arm = mode.foot().map_or(Vec3::ZERO, |s| body.supports()[s]);
+        let about = body.inertia_about(arm);
+        let length = match mode {
+            Mode::Edge { ends: [a, b], .. } => (body.supports()[b] - body.supports()[a]).norm(),
+            _ => 0.0,
+        };
+        Some(Self {
+            mode,
+            mass: body.mass(),
+            gravity: start.undo(world.gravity()),
+            up: start.undo(Vec3::Z),
+            arm,
+            inertia: body.inertia(),
+            about,
+            inverse: about.inverse()?,
+            length,
+        })
+    }
+
+    pub(in crate::spatial) fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    pub(in crate::spatial) fn arm(&self) -> Vec3 {
+        self.arm
+    }
+
+    pub(in crate::spatial) fn about(&self) -> Mat3 {
+        self.about
+    }
+
+    pub(in crate::spatial) fn weight(&self) -> f64 {
+        self.mass * self.gravity.norm()
+    }
+
+    /// Gravity, body axes.
+    pub(in crate::spatial) fn gravity(&self, turned: Rotation) -> Vec3 {
+        turned.undo(self.gravity)
+    }
+
+    /// Angular acceleration, body axes [rad/s²].
+    fn turning(&self, turned: Rotation, spin: Vec3) -> Vec3 {
+        let pull = || self.arm.cross(self.gravity(turned)) * -self.mass;
+        match self.mode {
+            // Sliding bodies have equations of their own.
+            Mode::Rest { .. } | Mode::Slides { .. } => Vec3::ZERO,
+            Mode::Edge { along, .. } => along * (along.dot(pull()) / along.dot(self.about * along)),
+            Mode::Pivot { .. } => self.inverse * (pull() - spin.cross(self.about * spin)),
+            Mode::Flight => self.inverse * -spin.cross(self.about * spin),
+        }
+    }
+
+    /// The derivative of turn and spin.
+    pub(in crate::spatial) fn rate(&self, y: &Vector) -> Vector {
+        let (turned, spin) = unpack(y);
+        let turning = self.turning(turned, spin);
+        let [w, x, y, z] = turned.rate(spin);
+        [w, x, y, z, turning.x, turning.y, turning.z]
+    }
+
+    /// The instant with this turn and spin; `base` is how the foot, or the mass centre, has risen.
+    pub(in crate::spatial) fn posture(&self, y: &Vector, base: Height) -> Posture {
+        let (turned, spin) = unpack(&normalised(y));
+        let turning = self.turning(turned, spin);
+        Posture { turned, up_then: self.up, up: turned.undo(self.up), spin, turning, from: self.arm, base }
+    }
+
+    /// The whole force on the body from the plane, body axes \[N\]: `m (a − g)`.
+    pub(in crate::spatial) fn force(&self, at: &Posture) -> Vec3 {
+        let foot = -self.arm;
+        let acceleration = at.turning.cross(foot) + at.spin.cross(at.spin.cross(foot));
+        (acceleration - self.gravity(at.turned)) * self.mass
+    }
+
+    /// Normal forces at the foot and, on an edge, at its other end \[N\].
+    ///
+    /// On an edge the moment about the horizontal e ⊥ u shares them: `N₂ = (e·(s × P) − e·L̇)/length`, with the whole force P and the angular
+    /// momentum L about the mass centre.
+    pub(in crate::spatial) fn normal_forces(&self, at: &Posture) -> [f64; 2] {
+        let force = self.force(at);
+        let whole = at.up.dot(force);
+        let Mode::Edge { along, .. } = self.mode else { return [whole, 0.0] };
+        let across = at.up.cross(along);
+        let moment = self.inertia * at.turning + at.spin.cross(self.inertia * at.spin);
+        let other = (across.dot(self.arm.cross(force)) - across.dot(moment)) / self.length;
+        [whole - other, other]
+    }
+
+    /// The forces on the foot and, on an edge, on its other end \[N\].
+    ///
+    /// On an edge the moment about the normal e shares what acts across it: `e·(L̇ − s × P)/length` is the other end's.
+    pub(in crate::spatial) fn end_forces(&self, at: &Posture) -> EndForces {
+        let force = self.force(at);
+        let normal = self.normal_forces(at);
+        let Mode::Edge { along, .. } = self.mode else {
+            let flat = force - at.up * at.up.dot(force);
+            return EndForces { normal, across: [0.0; 2], along: flat.norm(), axes: [flat, Vec3::ZERO] };
+        };
+        let across = at.up.cross(along);
+        let moment = self.inertia * at.turning + at.spin.cross(self.inertia * at.spin);
+        let other = at.up.dot(moment - self.arm.cross(force)) / self.length;
+        EndForces {
+            normal,
+            across: [across.dot(force) - other, other],
+            along: along.dot(force),
+            axes: [along, across],
+        }
+    }
+}
+
+/// Forces at the ends of an edge, or on a single foot.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct EndForces {
+    /// Along the plane's normal.
+    pub(in crate::spatial) normal: [f64; 2],
+    /// Horizontally across the edge.
+    pub(in crate::spatial) across: [f64; 2],
+    /// Along the edge, of both ends together; on a single foot, the size of the horizontal force.
+    pub(in crate::spatial) along: f64,
+    /// The edge and the horizontal direction across it, body axes; of a single foot, its horizontal force first.
+    pub(in crate::spatial) axes: [Vec3; 2],
+}

@@ -1,0 +1,94 @@
+//! One stretch of motion: from what the integration takes to the state of the body, and back.
+
+use super::mode::{Equations, Mode, Vector, normalised, pack, unpack};
+use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::state::State;
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::geometry::world::World;
+use carom_num::{Rotation, Vec3};
+
+/// The heights of all supports \[m\].
+pub(in crate::spatial) type Heights = [f64; Supports::MOST];
+
+/// A stretch of motion in one mode.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Stretch {
+    pub(in crate::spatial) equations: Equations,
+    /// Heights at the start.
+    heights: Heights,
+    attitude: Rotation,
+    /// Where the foot stands, or where the mass centre was at the start \[m\].
+    place: Vec3,
+    /// Velocity of the mass centre at the start of a flight [m/s].
+    velocity: Vec3,
+    spin: Vec3,
+    gravity: Vec3,
+}
+
+impl Stretch {
+    /// The stretch that starts from a state and heights; `None` where numbers overflow. A support that is held stands on the plane.
+    pub(in crate::spatial) fn from(
+        world: &World,
+        mode: Mode,
+        state: &State,
+        heights: &Heights,
+    ) -> Option<Self> {
+        let equations = Equations::of(world, mode, state.attitude)?;
+        let (place, velocity) = if mode == Mode::Flight {
+            (state.centre, state.velocity)
+        } else {
+            let foot = state.place(equations.arm());
+            (Vec3::new(foot.x, foot.y, 0.0), Vec3::ZERO)
+        };
+        let (attitude, spin, gravity) = (state.attitude, state.spin, world.gravity());
+        Some(Self { equations, heights: *heights, attitude, place, velocity, spin, gravity })
+    }
+
+    fn flies(&self) -> bool {
+        self.equations.mode() == Mode::Flight
+    }
+
+    /// Where the integration starts.
+    pub(in crate::spatial) fn first(&self) -> Vector {
+        pack(Rotation::NONE, self.spin)
+    }
+
+    /// How much the mass centre of a flight has risen; a foot does not.
+    fn base(&self, elapsed: f64) -> Height {
+        if !self.flies() {
+            return Height::default();
+        }
+        let (rate, fall) = (self.velocity.z, self.gravity.z);
+        let value = elapsed * (rate + 0.5 * fall * elapsed);
+        Height { value, rate: rate + fall * elapsed, second: fall }
+    }
+
+    /// The instant at which so much time has passed.
+    pub(in crate::spatial) fn posture(&self, y: &Vector, elapsed: f64) -> Posture {
+        self.equations.posture(y, self.base(elapsed))
+    }
+
+    /// The height of a support at an instant.
+    pub(in crate::spatial) fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
+        at.height(world.body().supports()[support], self.heights[support])
+    }
+
+    /// The state at which so much time has passed.
+    pub(in crate::spatial) fn state(&self, y: &Vector, elapsed: f64) -> State {
+        let (turned, spin) = unpack(&normalised(y));
+        let whole = self.attitude.after(turned);
+        let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
+        let arm = self.equations.arm();
+        if self.flies() {
+            let velocity = self.velocity + self.gravity * elapsed;
+            let centre = self.place + (self.velocity + velocity) * (0.5 * elapsed);
+            return State { centre, attitude, velocity, spin };
+        }
+        State {
+            centre: self.place - attitude.apply(arm),
+            attitude,
+            velocity: attitude.apply(arm.cross(spin)),
+            spin,
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Impacts with friction.
+
+use super::closing::Closed;
+use super::rough::no_motion;
+use super::strike::pushed;
+use super::walker::{Walker, without_way};
+use crate::MotionError;
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::modes::contacts::{Answer, Conclusive, Way};
+use crate::spatial::modes::frictional::frictional_contacts;
+use crate::spatial::modes::grip::MOST_BEARING;
+use crate::spatial::modes::mode::Mode;
+use crate::spatial::record::run::{Clock, End};
+use crate::spatial::terms::Choice;
+use crate::tolerance::{PRESSING_APPROACHES, SUPPORT_STAYS, SUPPORT_STICKS};
+use carom_impact::ImpactError;
+use carom_impact::spatial::{Conclusion, staged};
+use carom_num::Vec3;
+
+impl Walker<'_> {
+    /// Resolves an impact with friction.
+    pub(super) fn strike_rough(
+        &mut self,
+        touching: Supports,
+        striking: Supports,
+    ) -> Result<Option<End>, MotionError> {
+        let answer = self.blow(touching, 0.0)?;
+        self.struck(touching, striking, answer)
+    }
+
+    fn struck(
+        &mut self,
+        touching: Supports,
+        striking: Supports,
+        Answer { conclusion, way }: Answer,
+    ) -> Result<Option<End>, MotionError> {
+        touching.iter().for_each(|i| self.heights[i] = 0.0);
+        self.effort.impacts += 1;
+        let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
+        if conclusion == Conclusion::Several && self.options.choice == Choice::End {
+            return Ok(Some(End::Several(Clock::Impact)));
+        }
+        let (before, kept) = (self.state, way.kept);
+        self.state = pushed(&before, self.world, &way.pushes);
+        if self.tell(&before, [touching, striking], way, conclusion).is_break() {
+            return Ok(Some(End::Stopped));
+        }
+        self.mode = Mode::Flight;
+        // What rebounds rests at the limit of its series.
+        match self.note(touching, striking, touching)? {
+            Closed::Yes(end) => Ok(end),
+            Closed::Not => self.hold(kept, None),
+        }
+    }
+
+    /// An impact although nothing approaches: friction lets no motion go on that is free of impacts.
+    ///
+    /// Where the normal force of one support grows without bound, its slip stops at once, a moment before nothing would press it out any more. The
+    /// support is pressed as much as that takes.
+    pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
+        self.forget_series();
+        let only = touching.iter().next().filter(|_| touching.len() == 1);
+        // Of one that does not slip nothing but the press would be taken back.
+        let pressed = if only.is_some_and(|i| self.slip_of(i) != Vec3::ZERO) {
+            PRESSING_APPROACHES.as_slice()
+        } else {
+            &[]
+        };
+        for press in std::iter::once(&0.0).chain(pressed) {
+            let answer = self.blow(touching, *press)?;
+            if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
+                return self.struck(touching, Supports::NONE, answer);
+            }
+        }
+        Ok(Some(no_motion()))
+    }
+
+    /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. Supports that are held
+    /// approach at `press`, in units of the motion's speeds.
+    fn blow(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
+        match touching.len() {
+            0..=2 => self.blow_sized::<2>(touching, press),
+            3..=4 => self.blow_sized::<4>(touching, press),
+            5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, press),
+            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
+        }
+    }
+
+    fn blow_sized<const N: usize>(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
+        let law = self
+            .world
+            .friction()
+            .map_or_else(Default::default, crate::spatial::geometry::friction::Friction::law);
+        let refused = |error| MotionError::Impact { time: self.time, error };
+        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let held = self.mode.held(self.world.body());
+        let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
+        for (k, _) in touching.iter().enumerate().filter(|(_, i)| held.contains(*i)) {
+            set.velocity[k].z = -press * size;
+        }
+        let out = match staged::resolve_preferring(&set, law, self.options.choice.preference()) {
+            Ok(out) => out,
+            // An impact that comes to no end is physics, not a fault: the law has no way on, and the run ends by saying so.
+            Err(ImpactError::Jammed | ImpactError::Circling { .. } | ImpactError::Unending { .. }) => {
+                return Ok(Answer { conclusion: Conclusion::None, way: None });
+            }
+            Err(error) => return Err(refused(error)),
+        };
+        let of = |(k, i): (usize, usize)| (i, set.frame[k].transposed() * out.impulse[k]);
+        let stays = |(k, _): &(usize, usize)| out.velocity[*k].z <= SUPPORT_STAYS * size;
+        let slip = |k: usize| Vec3::new(out.velocity[k].x, out.velocity[k].y, 0.0).norm();
+        let slides = |(k, _): &(usize, usize)| slip(*k) > SUPPORT_STICKS * size;
+        let way = Way {
+            kept: touching.iter().enumerate().filter(stays).map(|(_, i)| i).collect(),
+            sliding: touching.iter().enumerate().filter(stays).filter(slides).map(|(_, i)| i).collect(),
+            pushes: touching.iter().enumerate().map(of).collect(),
+            friction_demand: out.friction_demand(),
+        };
+        let conclusion = match out.branches.conclusion() {
+            Conclusion::Unique if out.forced > 0 => Conclusion::Forced,
+            conclusion => conclusion,
+        };
+        Ok(Answer { conclusion, way: Some(way) })
+    }
+}

@@ -1,0 +1,110 @@
+//! Series of impacts closed at their limits, and series of such limits.
+
+use super::series::{Beat, Recent, Series};
+use super::walker::Walker;
+use crate::MotionError;
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::modes::mode::Mode;
+use crate::spatial::modes::settle::{all_held, settled, spin_on};
+use crate::spatial::record::run::{Closing, End};
+use crate::tolerance::{FAINT_ENERGY, LIES_ON_PLANE};
+
+/// What became of an impact that may be one of a series.
+pub(super) enum Closed {
+    /// It is none yet, or the series cannot be closed.
+    Not,
+    /// The series is closed and the body goes on, or the run has ended.
+    Yes(Option<End>),
+}
+
+impl Walker<'_> {
+    /// Notes an impact, and closes the series that it belongs to once its limit is near. `pattern` tells one impact of a period from the others; `rests` is what
+    /// rests where a series of such impacts is over. A limit may be one of a series too: a body that rocks on two edges may chatter on each before it rolls on it.
+    pub(super) fn note(
+        &mut self,
+        touching: Supports,
+        pattern: Supports,
+        rests: Supports,
+    ) -> Result<Closed, MotionError> {
+        let faint = self.state.kinetic(self.world.body()) < FAINT_ENERGY * self.scales.energy;
+        let mut beat = Beat { time: self.time, touching, pattern, rests, faint };
+        let mut closed = Closed::Not;
+        for level in 0..self.recent.len() {
+            self.recent[level].push(beat);
+            let short = self.options.closing * self.scales.time;
+            let fewest = if self.world.friction().is_some() { 1 } else { 2 };
+            let Some(series) = self.recent[level].series(short).filter(|s| s.kept.len() >= fewest) else {
+                break;
+            };
+            let limit = beat.time + series.left;
+            let Closed::Yes(end) = self.close(&series, limit)? else { break };
+            self.recent[level].clear();
+            if end.is_some() {
+                return Ok(Closed::Yes(end));
+            }
+            closed = Closed::Yes(None);
+            let kept = series.kept;
+            beat = Beat { time: limit, touching: kept, pattern: kept, rests: kept, faint };
+        }
+        Ok(closed)
+    }
+
+    /// Closes a series: the supports that any of its impacts keeps rest. If they would not stay, there is no series.
+    fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
+        let body = self.world.body();
+        let before = (self.state, self.mode, self.departing, self.heights);
+        let impacts = self.impacts.len();
+        let mode = Mode::holding(body, series.kept);
+        if self.world.friction().is_some() {
+            let Some(state) = self.landed(series.kept) else { return Ok(Closed::Not) };
+            self.state = state;
+        } else {
+            self.state.spin = spin_on(body, mode, &self.state);
+            self.state = settled(body, mode, &self.state);
+        }
+        self.level_heights(mode);
+        // A body at rest may lie on more supports than the series' impacts have kept.
+        let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
+        let kept = series.kept.union(resting);
+        let end = self.hold(kept, None)?;
+        if !all_held(body, self.mode, kept) && self.impacts.len() == impacts {
+            (self.state, self.mode, self.departing, self.heights) = before;
+            return Ok(Closed::Not);
+        }
+        let closing = Closing { time: self.time, limit, period: series.period, ratio: series.ratio, kept };
+        self.observer.closing(&closing);
+        self.closings.push(closing);
+        if end.is_some() {
+            self.time = limit;
+        }
+        Ok(Closed::Yes(end))
+    }
+
+    /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge.
+    fn level_heights(&mut self, mode: Mode) {
+        let supports = self.world.body().supports();
+        let rests = matches!(mode, Mode::Rest { .. });
+        if let Mode::Edge { ends: [a, b], along } = mode {
+            let (low, high) = (self.heights[a], self.heights[b]);
+            let length = (supports[b] - supports[a]).norm();
+            for (height, arm) in self.heights.iter_mut().zip(supports) {
+                *height -= low + (high - low) * (*arm - supports[a]).dot(along) / length;
+            }
+        }
+        if let Mode::Pivot { support } = mode {
+            let low = self.heights[support];
+            self.heights.iter_mut().for_each(|height| *height -= low);
+        }
+        let held = mode.held(self.world.body());
+        for (i, height) in self.heights.iter_mut().enumerate().take(supports.len()) {
+            if held.contains(i) || rests && *height < LIES_ON_PLANE * self.scales.length {
+                *height = 0.0;
+            }
+        }
+    }
+
+    /// Whatever was seen of series is over.
+    pub(super) fn forget_series(&mut self) {
+        self.recent.iter_mut().for_each(Recent::clear);
+    }
+}

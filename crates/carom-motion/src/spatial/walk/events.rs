@@ -1,0 +1,155 @@
+//! The events of a mode, found on the dense output of a step.
+
+use super::gliding::Gliding;
+use super::motion::{Event, Motion};
+use crate::evaluated::{Quantity, evaluated};
+use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::terms::Overturning;
+use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH};
+use carom_num::Vec3;
+use carom_num::course::{Found, placed};
+use carom_num::elementary::cos;
+use carom_num::falls::first_fall;
+use carom_num::ode8::Step;
+
+/// Steps of Newton's method on the dense output after which a step is made to where they have come.
+const MOST_NEWTON: u32 = 20;
+
+impl<C: Motion> Gliding<'_, '_, C> {
+    pub(super) fn value_at(&self, event: &Event, y: &C::Y, at: &Posture) -> f64 {
+        let value = match *event {
+            Event::Touches(support) => return self.height(support, at).value,
+            Event::Overturns => self.uprightness(at),
+            _ => self.motion.value(event, y, at),
+        };
+        evaluated(Quantity::Event, value)
+    }
+
+    /// Positive as long as the body has not overturned.
+    fn uprightness(&self, at: &Posture) -> f64 {
+        match self.overturning {
+            None => 1.0,
+            Some(Overturning::Tilt { axis, angle }) => at.up.dot(axis) - cos(angle),
+            Some(Overturning::Beyond) => {
+                let Some(edge) = self.motion.leans_over() else { return 1.0 };
+                // Horizontal parts, across the edge: from the foot to the mass centre, and to the middle of the supports.
+                let flat = |r: Vec3| r - at.up * r.dot(at.up) - edge * r.dot(edge);
+                flat(-at.from).dot(flat(self.middle - at.from))
+            }
+        }
+    }
+
+    pub(in crate::spatial) fn height(&self, support: usize, at: &Posture) -> Height {
+        let height = self.motion.height(self.walker.world, support, at);
+        Height { value: evaluated(Quantity::Gap, height.value), ..height }
+    }
+
+    /// Event functions that are looked at at nodes.
+    fn smooth_events(&self) -> Vec<Event> {
+        let mut events = self.motion.smooth_events();
+        events.extend(self.overturning.map(|_| Event::Overturns));
+        events
+    }
+
+    /// The first event within a step.
+    pub(super) fn event_in(&mut self, step: &Step<C::Y>) -> Option<Found<Event>> {
+        let mut first: Option<Found<Event>> = None;
+        for event in self.smooth_events() {
+            let mut of = |x: f64| {
+                let (y, at) = self.place(step, x);
+                [self.value_at(&event, &y, &at)]
+            };
+            let fall = first_fall(&mut of).map(|fall| Found::at(fall.at, event));
+            first = earlier(first, fall);
+        }
+        first = first.map(|found| placed(self, step, found.event, found.at));
+        let held = self.held;
+        let free = (0..self.walker.world.body().supports().len()).filter(|i| !held.contains(*i));
+        for support in free {
+            let until = first.map_or(1.0, |found| found.at);
+            let from = if self.departing.contains(support) {
+                let mut bend = |x: f64| {
+                    let second = self.look(step, support, x).second;
+                    // At the very start it may be zero, but for rounding.
+                    [if x == 0.0 { second.max(0.0) } else { second }]
+                };
+                first_fall(&mut bend).map_or(1.0, |fall| fall.at)
+            } else {
+                0.0
+            };
+            first = self.march(step, (support, from, until)).or(first);
+        }
+        first
+    }
+
+    /// The place in a part of a step where a support is certain to come down next: before it nothing does.
+    ///
+    /// From a height h, its rate and a bound B on the size of its acceleration the plane is not reached for a while; and it is certain to be reached
+    /// where `ḣ < 0` and `2 B h < ḣ²`.
+    fn march(
+        &mut self,
+        step: &Step<C::Y>,
+        (support, from, until): (usize, f64, f64),
+    ) -> Option<Found<Event>> {
+        let arm = self.walker.world.body().supports()[support];
+        let length = step.length;
+        let mut x = from;
+        while x < until {
+            let at = self.place(step, x).1;
+            let height = self.height(support, &at);
+            // It is noted, and nothing can be said of what comes after.
+            if height.value.is_nan() {
+                return None;
+            }
+            let bend = self.motion.bend(&at, arm, (until - x) * length);
+            if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
+                let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
+                let at = root_between(ends, length, &mut |x| self.look(step, support, x));
+                return (at < until).then_some(Found::at(at, Event::Touches(support)));
+            }
+            x += (height.safe(bend) / length).max(LEAST_MARCH);
+        }
+        None
+    }
+
+    /// The motion at a fraction of a step.
+    fn place(&mut self, step: &Step<C::Y>, x: f64) -> (C::Y, Posture) {
+        self.walker.effort.event_evaluations += 1;
+        let y = step.at(x);
+        let at = self.motion.posture(&y, self.elapsed + x * step.length);
+        (y, at)
+    }
+
+    /// The height of a support at a fraction of a step.
+    fn look(&mut self, step: &Step<C::Y>, support: usize, x: f64) -> Height {
+        let at = self.place(step, x).1;
+        self.height(support, &at)
+    }
+}
+
+/// The root of a height between two places of a step: Newton's method, kept between them.
+fn root_between([mut low, mut high]: [f64; 2], length: f64, look: &mut impl FnMut(f64) -> Height) -> f64 {
+    let mut x = low;
+    for _ in 0..MOST_NEWTON {
+        let height = look(x);
+        if height.value > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - height.value / (height.rate * length);
+        let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= CORRECTION_ROUNDING {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+fn earlier(a: Option<Found<Event>>, b: Option<Found<Event>>) -> Option<Found<Event>> {
+    match (a, b) {
+        (Some(x), Some(y)) => Some(if y.at < x.at { y } else { x }),
+        (one, other) => one.or(other),
+    }
+}

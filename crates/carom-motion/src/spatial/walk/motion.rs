@@ -1,0 +1,220 @@
+//! A stretch of motion as its integration and the search for its events see it.
+
+use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::state::State;
+use crate::spatial::geometry::world::World;
+use crate::spatial::modes::bounds::Bounds;
+use crate::spatial::modes::mode::{Mode, Vector, normalised};
+use crate::spatial::modes::stretch::Stretch;
+use crate::spatial::record::run::Budget;
+use carom_num::Vec3;
+use carom_num::ode8::{self, Step};
+
+/// What ends a stretch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::spatial) enum Event {
+    /// A support comes down on the plane.
+    Touches(usize),
+    /// The normal force on a held support falls to zero: the foot's, or that on the other end of an edge.
+    Lets {
+        /// The support.
+        support: usize,
+        /// Its place among the normal forces.
+        place: usize,
+    },
+    /// The friction that a support takes, one end of an edge or both of them, has come to the edge of its cone: the first end's, the second's, or that along
+    /// the edge. Of a body that slides, that of the support of this number.
+    Slips(usize),
+    /// The slip of a support comes to zero.
+    Stops,
+    /// Friction presses a sliding body on the plane without bound.
+    Jams,
+    /// It leans over too far.
+    Overturns,
+}
+
+/// What a stretch ended with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    Event(Event),
+    Spent(Budget),
+    /// Nothing moves, and nothing makes it move.
+    Still,
+}
+
+/// A stretch of motion.
+pub(in crate::spatial) trait Motion {
+    /// What is integrated.
+    type Y: ode8::Vector;
+
+    /// Its derivative.
+    fn rate(&self, y: &Self::Y) -> Self::Y;
+
+    /// The same motion, with what the integration has let drift taken back.
+    fn tidied(&self, y: &Self::Y) -> Self::Y;
+
+    /// What the error of a step may be, where the spin's size is at least `spin` \[rad/s\].
+    fn tolerance(&self, y: &Self::Y, relative: f64, spin: f64) -> Self::Y;
+
+    /// The longest step to try from here \[s\].
+    fn longest(&self, y: &Self::Y, rate: &Self::Y) -> f64;
+
+    /// An implicit step from here, where explicit steps would be short, and the length of the next one. The step has the hinted length or less, and
+    /// at most the other length.
+    fn stiff_step(
+        &self,
+        _at: (&Self::Y, &Self::Y),
+        _lengths: (f64, f64),
+        _tolerance: &Self::Y,
+    ) -> Option<(Step<Self::Y>, f64)> {
+        None
+    }
+
+    /// The end of such a step of another length from the same start.
+    fn stiff_end(&self, _step: &Step<Self::Y>, _length: f64) -> Option<Self::Y> {
+        None
+    }
+
+    /// How long a slip that comes to its end still takes \[s\], and the motion where it ends; `None` where no slip comes to its end.
+    fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<(f64, Self::Y)>;
+
+    /// Looks at a step before events are searched in it.
+    fn look(&mut self, step: &Step<Self::Y>);
+
+    fn posture(&self, y: &Self::Y, elapsed: f64) -> Posture;
+
+    fn state(&self, y: &Self::Y, elapsed: f64) -> State;
+
+    fn height(&self, world: &World, support: usize, at: &Posture) -> Height;
+
+    /// What the acceleration of a support's height does not exceed for a while \[m/s²\].
+    fn bend(&self, at: &Posture, arm: Vec3, time: f64) -> f64;
+
+    /// Events whose functions are looked at at nodes, but for overturning.
+    fn smooth_events(&self) -> Vec<Event>;
+
+    /// The value of such a function: positive as long as the mode holds.
+    fn value(&self, event: &Event, y: &Self::Y, at: &Posture) -> f64;
+
+    /// The edge, or zero for a point, that the body turns about and may lean over.
+    fn leans_over(&self) -> Option<Vec3>;
+
+    /// Work of friction since the start of the stretch \[J\].
+    fn work(&self, y: &Self::Y) -> f64;
+}
+
+/// Flight, or a motion in which no support that touches slides.
+#[derive(Clone, Debug)]
+pub(super) struct Standing {
+    pub(in crate::spatial) stretch: Stretch,
+    bounds: Bounds,
+    /// Friction coefficients of the foot and the other end of an edge; `None` where no support slides whatever that takes.
+    friction: Option<[f64; 2]>,
+}
+
+impl Standing {
+    pub(in crate::spatial) fn of(world: &World, stretch: Stretch) -> Self {
+        let at = stretch.posture(&stretch.first(), 0.0);
+        let ends = match stretch.equations.mode() {
+            Mode::Pivot { support } => [support; 2],
+            Mode::Edge { ends, .. } => ends,
+            _ => [0; 2],
+        };
+        let friction = world.friction().map(|friction| ends.map(|end| friction.coefficient(end)));
+        Self { stretch, bounds: Bounds::of(world, &stretch.equations, &at), friction }
+    }
+
+    /// What is left of the friction cones: at each end, and of both ends along the edge between them. The last counts with the largest friction along the edge
+    /// that each end can take besides what it takes across it: how the ends share that, no rigid body says.
+    fn grip(&self, [first, second]: [f64; 2], which: usize, at: &Posture) -> f64 {
+        let forces = self.stretch.equations.end_forces(at);
+        let cone = |end: usize, mu: f64| {
+            let (normal, across) = (forces.normal[end], forces.across[end]);
+            mu * mu * normal * normal - across * across
+        };
+        let [one, other] = [cone(0, first), cone(1, second)];
+        match (which, self.stretch.equations.mode()) {
+            (0, Mode::Pivot { .. }) => one - forces.along * forces.along,
+            (0, _) => one,
+            (1, _) => other,
+            _ => one.max(0.0).sqrt() + other.max(0.0).sqrt() - forces.along.abs(),
+        }
+    }
+}
+
+impl Motion for Standing {
+    type Y = Vector;
+
+    fn rate(&self, y: &Vector) -> Vector {
+        self.stretch.equations.rate(y)
+    }
+
+    fn tidied(&self, y: &Vector) -> Vector {
+        normalised(y)
+    }
+
+    fn tolerance(&self, y: &Vector, relative: f64, spin: f64) -> Vector {
+        let spin = (y[4] * y[4] + y[5] * y[5] + y[6] * y[6]).sqrt().max(spin);
+        std::array::from_fn(|i| relative * if i < 4 { 1.0 } else { spin })
+    }
+
+    fn longest(&self, _: &Vector, _: &Vector) -> f64 {
+        f64::INFINITY
+    }
+
+    fn stops(&self, _: &Vector, _: &Vector) -> Option<(f64, Vector)> {
+        None
+    }
+
+    fn look(&mut self, _: &Step<Vector>) {}
+
+    fn posture(&self, y: &Vector, elapsed: f64) -> Posture {
+        self.stretch.posture(y, elapsed)
+    }
+
+    fn state(&self, y: &Vector, elapsed: f64) -> State {
+        self.stretch.state(y, elapsed)
+    }
+
+    fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
+        self.stretch.height(world, support, at)
+    }
+
+    fn bend(&self, at: &Posture, arm: Vec3, time: f64) -> f64 {
+        self.bounds.bend(at.spin, arm, time)
+    }
+
+    fn smooth_events(&self) -> Vec<Event> {
+        let (mut events, grips) = match self.stretch.equations.mode() {
+            Mode::Pivot { support } => (vec![Event::Lets { support, place: 0 }], 1),
+            Mode::Edge { ends: [a, b], .. } => {
+                (vec![Event::Lets { support: a, place: 0 }, Event::Lets { support: b, place: 1 }], 3)
+            }
+            _ => (vec![], 0),
+        };
+        if self.friction.is_some() {
+            events.extend((0..grips).map(Event::Slips));
+        }
+        events
+    }
+
+    fn value(&self, event: &Event, _: &Vector, at: &Posture) -> f64 {
+        match (*event, self.friction) {
+            (Event::Lets { place, .. }, _) => self.stretch.equations.normal_forces(at)[place],
+            (Event::Slips(which), Some(friction)) => self.grip(friction, which, at),
+            _ => f64::INFINITY,
+        }
+    }
+
+    fn leans_over(&self) -> Option<Vec3> {
+        match self.stretch.equations.mode() {
+            Mode::Flight => None,
+            Mode::Edge { along, .. } => Some(along),
+            _ => Some(Vec3::ZERO),
+        }
+    }
+
+    fn work(&self, _: &Vector) -> f64 {
+        0.0
+    }
+}

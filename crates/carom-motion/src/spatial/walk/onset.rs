@@ -1,0 +1,165 @@
+//! The smooth start of a slip, and other slips so slow that friction turns them at once.
+//!
+//! Where a support that stuck comes to the edge of its cone its slip starts with no acceleration: it grows as the square of the time, and its direction is at every
+//! instant the one in which friction lets it grow. The equations are then stiff, and at the start the direction of friction is that of the slip which only
+//! comes: an implicit step asks for it where the slip is.
+
+use super::motion::Motion;
+use super::sliding::{DIMENSIONS, Sliding, Slowing, Vector};
+use crate::tolerance::{
+    EASY_STEP, FORCE_DIFFERENCE, IMPLICIT_EVENT_TOLERANCE, LEAST_SLIP_GROWTH, SHORTEST_IMPLICIT_STEP,
+    SLIP_STARTED, SLIP_TURN,
+};
+use carom_num::Vec3;
+use carom_num::ode8::Step;
+use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
+
+/// A slip whose speed changes slower than this fraction of what friction turns it by is followed implicitly, as long as it is slow.
+const SLOW_CHANGE: f64 = 0.2;
+/// A slip is slow that friction could turn or stop within this fraction of the world's time.
+const SLOW: f64 = 0.02;
+/// The longest implicit step, which is the first one's length, in the world's time.
+const FIRST: f64 = 0.05;
+
+impl Sliding {
+    /// True where explicit steps would be far shorter than what the motion needs: where a slip starts, and where friction turns a slow one, or one on its way
+    /// to zero, much faster than it changes its speed.
+    ///
+    /// A slip u whose direction is off by δ from the one that friction lets it keep has `δ̇ = −(k/u) δ`, and `u̇` is its change.
+    pub(super) fn is_stiff(&self, y: &Vector, rate: &Vector) -> bool {
+        self.slowing(y, rate).any(|slip| {
+            let most = slip.friction * slip.normal.max(0.0) / self.mass();
+            if most <= 0.0 || slip.speed == 0.0 {
+                return most > 0.0;
+            }
+            let back = self.turned_back(y, rate, &slip);
+            let size = most.max(back);
+            back > 0.0
+                && slip.change.abs() < SLOW_CHANGE * size
+                && slip.speed < SLOW * size * self.scales().time
+        })
+    }
+
+    /// By what a slip that is turned is turned back, per radian \[m/s²\].
+    fn turned_back(&self, y: &Vector, rate: &Vector, slip: &Slowing) -> f64 {
+        let aside = slip.aside * (SLIP_TURN * slip.speed);
+        let mut turned = *y;
+        (turned[9], turned[10]) = (y[9] + aside.x, y[10] + aside.y);
+        let then = self.rate(&turned);
+        let foot = Vec3::new(then[9] - rate[9], then[10] - rate[10], 0.0);
+        let change = foot + Vec3::Z.cross(slip.from_foot) * (then[12] - rate[12]);
+        slip.change - change.dot(slip.aside) / SLIP_TURN
+    }
+
+    /// An implicit step within the tolerance, and the length of the next; `None` where none is found.
+    pub(super) fn implicit_step(
+        &self,
+        (y, rate): (&Vector, &Vector),
+        (hint, most): (f64, f64),
+        tolerance: &Vector,
+    ) -> Option<(Step<Vector>, f64)> {
+        let time = self.scales().time;
+        let mut length = hint.clamp(SHORTEST_IMPLICIT_STEP * time, FIRST * time).min(most);
+        while length >= (SHORTEST_IMPLICIT_STEP * time).min(most) {
+            if let Some(whole) = self.implicit(y, &self.guess(y, rate, length), length, tolerance)
+                && let Some(step) = self.collocated((y, rate), &whole, length)
+                && let Some(end) = self.in_halves(y, &step, tolerance)
+            {
+                let (a, b) = (whole[STAGES - 1], end);
+                let apart = |d: usize| (a[d] - b[d]).abs() / tolerance[d];
+                let error = (0..a.len()).map(apart).fold(0.0, f64::max);
+                let sound = a.iter().chain(&b).chain(&self.rate(&b)).all(|v| v.is_finite());
+                if error <= WITHIN && sound {
+                    let next = if error < EASY_STEP * WITHIN { 2.0 * length } else { length };
+                    return Some((step, next));
+                }
+            }
+            length *= 0.5;
+        }
+        None
+    }
+
+    /// The end of a step in two halves.
+    fn in_halves(&self, y: &Vector, step: &Step<Vector>, tolerance: &Vector) -> Option<Vector> {
+        let length = 0.5 * step.length;
+        let mut at = *y;
+        for half in [0.0, 0.5] {
+            let near = NODES.map(|c| step.at(half + 0.5 * c));
+            let guess = radau::rates_through(&at, &near, length)?;
+            at = self.implicit(&at, &guess, length, tolerance)?[STAGES - 1];
+        }
+        Some(at)
+    }
+
+    /// The end of an implicit step of a length.
+    pub(super) fn implicit_end(&self, y: &Vector, rate: &Vector, length: f64) -> Option<Vector> {
+        let tolerance = self.tolerance(y, IMPLICIT_EVENT_TOLERANCE, 1.0 / self.scales().time);
+        Some(self.implicit(y, &self.guess(y, rate, length), length, &tolerance)?[STAGES - 1])
+    }
+
+    fn implicit(
+        &self,
+        y: &Vector,
+        guess: &Stages<DIMENSIONS>,
+        length: f64,
+        tolerance: &Vector,
+    ) -> Option<Stages<DIMENSIONS>> {
+        let difference = |y: &Vector| {
+            let [own, others] = self.slowest(y).map(|speed| FORCE_DIFFERENCE * speed);
+            let reach = self.scales().length;
+            std::array::from_fn(|d| match d {
+                4..=6 => FORCE_DIFFERENCE / self.scales().time,
+                12 => others / reach,
+                9 | 10 => own.min(others),
+                7 | 8 => FORCE_DIFFERENCE * reach,
+                _ => FORCE_DIFFERENCE,
+            })
+        };
+        let setup = Setup { rate: |y: &Vector| self.rate(y), difference };
+        radau::step::<DIMENSIONS, { STAGES * DIMENSIONS }>(y, guess, length, tolerance, &setup)
+    }
+
+    /// Guessed rates at the stages of a step: linear from those at the start to those a step later, with the slips that start on their way.
+    fn guess(&self, y: &Vector, rate: &Vector, length: f64) -> Stages<DIMENSIONS> {
+        let mut ahead: Vector = std::array::from_fn(|d| y[d] + length * rate[d]);
+        let starting = self.starting(y);
+        if let Some((slip, yaw)) = starting {
+            // Friction is asked for where the slips have started: how fast does not matter.
+            let slip = slip * SLIP_STARTED;
+            (ahead[9], ahead[10], ahead[12]) = (y[9] + slip.x, y[10] + slip.y, y[12] + yaw * SLIP_STARTED);
+        }
+        let there = self.rate(&ahead);
+        let mut guess: Stages<DIMENSIONS> =
+            NODES.map(|c| std::array::from_fn(|d| rate[d] + c * (there[d] - rate[d])));
+        let Some((slip, yaw)) = starting else { return guess };
+        let reach = self.scales().length;
+        let size = slip.dot(slip) + yaw * yaw * reach * reach;
+        let along = |k: &Vector, k0: &Vector| {
+            (slip.x * k[9] + slip.y * k[10] + yaw * (k[12] - k0[12]) * reach * reach) / size
+        };
+        let first = along(rate, rate).max(0.0);
+        let least = LEAST_SLIP_GROWTH * self.gravity_size() * length / self.scales().time;
+        let last = along(&there, rate).max(first + least);
+        for (k, c) in guess.iter_mut().zip(NODES) {
+            let growth = first + c * (last - first);
+            (k[9], k[10]) = (slip.x * growth, slip.y * growth);
+            k[12] = rate[12] + yaw * (growth - first);
+        }
+        guess
+    }
+
+    /// The step through the stages.
+    fn collocated(
+        &self,
+        start: (&Vector, &Vector),
+        stages: &Stages<DIMENSIONS>,
+        length: f64,
+    ) -> Option<Step<Vector>> {
+        let end = stages[STAGES - 1];
+        let between = std::array::from_fn(|i| (NODES[i], stages[i]));
+        Step::through((*start.0, *start.1), &between, (end, self.rate(&end)), length)
+    }
+}
+
+/// Two halves of an implicit step may differ from the whole by this many times the tolerance.
+const WITHIN: f64 = 100.0;

@@ -1,0 +1,67 @@
+//! A sliding body at one instant: what each support does, and how the body answers.
+
+use super::{Sliding, Vector};
+use crate::spatial::modes::grip::{Bearing, Grip, MOST_BEARING, Reactions};
+use carom_num::{Rotation, Vec3};
+
+/// The body at one instant.
+pub(in crate::spatial) struct Moment {
+    pub(in crate::spatial) turned: Rotation,
+    pub(in crate::spatial) spin: Vec3,
+    /// World axes x, y, z in body axes.
+    pub(in crate::spatial) axes: [Vec3; 3],
+    pub(in crate::spatial) bearings: [Bearing; MOST_BEARING],
+    /// Slip speeds \[m/s\].
+    pub(in crate::spatial) speeds: [f64; MOST_BEARING],
+    /// Angular acceleration of the free body.
+    free: Vec3,
+}
+
+impl Sliding {
+    pub(in crate::spatial) fn moment(&self, y: &Vector) -> Moment {
+        let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
+        let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
+        let (spin, yaw) = (Vec3::new(y[4], y[5], y[6]), y[12]);
+        let axes = self.axes.map(|axis| turned.undo(axis));
+        let [east, north, up] = axes;
+        let spin = spin + up * (yaw - up.dot(spin));
+        let flat = |r: Vec3| r - up * r.dot(up);
+        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
+        let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
+        let slip = east * y[9] + north * y[10];
+        let (mut bearings, mut speeds) = ([Bearing::default(); MOST_BEARING], [0.0; MOST_BEARING]);
+        for (k, c) in self.carriers.iter().enumerate() {
+            // What they touch the plane with lies in the plane: no other part of the spin moves it along.
+            let own = flat(slip + up.cross(c.arm - self.foot) * yaw);
+            let lead = east * c.lead.x + north * c.lead.y;
+            speeds[k] = own.norm();
+            bearings[k] = Bearing {
+                arm: c.arm,
+                friction: c.friction,
+                sticks: c.sticks,
+                toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
+                drive: gravity + free.cross(c.arm) + spin.cross(spin.cross(c.arm)),
+            };
+        }
+        Moment { turned, spin, axes, bearings, speeds, free }
+    }
+
+    pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
+        let [east, north, up] = now.axes;
+        let bearings = &now.bearings[..self.carriers.len()];
+        Grip { body: &self.body, up, axes: [east, north], bearings }.reactions()
+    }
+
+    pub(super) fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {
+        now.free + reactions.map_or(Vec3::ZERO, |r| self.body.mobility() * r.moment)
+    }
+
+    /// Acceleration of a point of the body, body axes.
+    pub(super) fn acceleration(&self, now: &Moment, reactions: &Reactions, arm: Vec3) -> Vec3 {
+        let [east, north, up] = now.axes;
+        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
+        let turning = self.turning(now, Some(reactions));
+        let bent = turning.cross(arm) + now.spin.cross(now.spin.cross(arm));
+        gravity + reactions.force / self.body.mass() + bent
+    }
+}

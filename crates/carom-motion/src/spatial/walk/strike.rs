@@ -1,0 +1,198 @@
+//! The start of a run, and its impacts.
+
+use super::closing::Closed;
+use super::motion::Motion;
+use super::walker::{Walker, without_way};
+use crate::MotionError;
+use crate::spatial::geometry::posture::Height;
+use crate::spatial::geometry::state::State;
+use crate::spatial::geometry::state::measured;
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::modes::contacts::{Answer, Way};
+use crate::spatial::modes::stretch::Stretch;
+use crate::spatial::record::run::{Clock, End, Impact};
+use crate::tolerance::{
+    AT_REST_AT_START, COMES_DOWN_AT_ONCE, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
+};
+use carom_impact::spatial::Conclusion;
+use carom_num::Vec3;
+use std::ops::ControlFlow;
+
+impl Walker<'_> {
+    /// Velocity of a support, world axes.
+    pub(in crate::spatial) fn velocity_of(&self, support: usize) -> Vec3 {
+        self.state.velocity_of(self.world.body().supports()[support])
+    }
+
+    /// Measures all heights, from the lowest support.
+    fn measure_heights(&mut self) {
+        let (body, state) = (self.world.body(), &self.state);
+        let count = body.supports().len();
+        let placed = |i: usize| measured(body, state, None, i);
+        let lowest = (0..count).min_by(|a, b| placed(*a).total_cmp(&placed(*b))).unwrap_or_default();
+        let ground = placed(lowest);
+        for support in 0..count {
+            self.heights[support] = ground + measured(body, &self.state, Some(lowest), support);
+        }
+    }
+
+    /// Looks at what touches at the start.
+    pub(super) fn begin(&mut self) -> Result<Option<End>, MotionError> {
+        let (length, count) = (self.scales.length, self.world.body().supports().len());
+        let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
+        let mut resting = Supports::NONE;
+        let (mut strikes, mut slides) = (false, None);
+        self.measure_heights();
+        for support in 0..count {
+            let (height, velocity) = (self.heights[support], self.velocity_of(support));
+            if height < -TOUCHES_AT_START * length {
+                return Err(MotionError::Below { support, depth: -height });
+            }
+            if height > TOUCHES_AT_START * length {
+                continue;
+            }
+            self.heights[support] = 0.0;
+            if velocity.norm() <= AT_REST_AT_START * speed {
+                resting = resting.with(support);
+            } else if velocity.z < -AT_REST_AT_START * speed {
+                strikes = true;
+            } else if velocity.z <= AT_REST_AT_START * speed {
+                resting = if self.world.friction().is_some() { resting.with(support) } else { resting };
+                slides = Some((support, velocity.norm()));
+            }
+        }
+        // An impact stops slips as well: only without one, in a world where nothing may slide, is a slip at the start an error.
+        let slides = slides.filter(|_| self.world.friction().is_none());
+        match slides {
+            _ if strikes => self.meet(),
+            Some((support, speed)) => Err(MotionError::Slides { support, speed }),
+            None => self.hold(resting, None),
+        }
+    }
+
+    /// The supports that touch now: those that are held, and those that come down at once.
+    pub(in crate::spatial) fn touching(&self) -> Supports {
+        let (low, at_once) = (SUPPORT_TOUCHES * self.scales.length, COMES_DOWN_AT_ONCE * self.lasted);
+        let touches = |i: &usize| self.heights[*i] <= (-self.velocity_of(*i).z * at_once).max(low);
+        let held = self.mode.held(self.world.body());
+        held.union((0..self.world.body().supports().len()).filter(touches).collect())
+    }
+
+    /// What comes of supports that touch: an impact, if one of them comes down.
+    pub(in crate::spatial) fn meet(&mut self) -> Result<Option<End>, MotionError> {
+        let touching = self.touching();
+        let free = touching.difference(self.mode.held(self.world.body()));
+        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZING_SPEED * size;
+        let striking: Supports = free.iter().filter(comes_down).collect();
+        if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
+    }
+
+    /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
+    /// held; if one moves along the plane it comes down the next instant, which is an impact.
+    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, MotionError> {
+        let sinking = self.sinking(grazing)?;
+        let held = self.mode.held(self.world.body());
+        if sinking.is_empty() {
+            self.departing = grazing;
+            Ok(None)
+        } else if self.world.friction().is_some() {
+            self.hold(held.union(grazing), None)
+        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST_AT_START * size) {
+            self.strike(held.union(grazing), sinking)
+        } else {
+            self.hold(held.union(grazing), None)
+        }
+    }
+
+    /// Those that the motion draws down.
+    fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
+        let sinks = |height: Height| height.second <= 0.0;
+        if matches!(self.mode, crate::spatial::modes::mode::Mode::Slides { .. }) {
+            let (sliding, first) = self.sliding()?;
+            let now = sliding.posture(&first, 0.0);
+            return Ok(grazing.iter().filter(|i| sinks(sliding.height(self.world, *i, &now))).collect());
+        }
+        let not_finite = MotionError::NotFinite { time: self.time };
+        let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
+        let now = stretch.posture(&stretch.first(), 0.0);
+        Ok(grazing.iter().filter(|i| sinks(stretch.height(self.world, *i, &now))).collect())
+    }
+
+    /// Resolves an impact, closes the series that it belongs to, and holds what rests.
+    fn strike(&mut self, touching: Supports, striking: Supports) -> Result<Option<End>, MotionError> {
+        if self.world.friction().is_some() {
+            return self.strike_rough(touching, striking);
+        }
+        let (before, body) = (self.state, self.world.body());
+        touching.iter().for_each(|i| self.heights[i] = 0.0);
+        self.effort.impacts += 1;
+        let Answer { conclusion, way } = self.question(touching).of_impact()?;
+        let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
+        let kept = way.kept;
+        self.state = pushed(&before, self.world, &way.pushes);
+        // What is kept rests: that is known better than the impulses say it.
+        let mode = crate::spatial::modes::mode::Mode::holding(body, kept);
+        self.state = crate::spatial::modes::settle::settled(body, mode, &self.state);
+        let seen = self.tell(&before, [touching, striking], way, conclusion);
+        self.mode = mode;
+        if seen.is_break() {
+            return Ok(Some(End::Stopped));
+        }
+        match self.note(touching, kept, kept)? {
+            Closed::Yes(end) => Ok(end),
+            Closed::Not => self.hold(kept, None),
+        }
+    }
+
+    /// Records an impact that has led from the state before to the present one, and shows it to the observer.
+    pub(super) fn tell(
+        &mut self,
+        before: &State,
+        [touching, striking]: [Supports; 2],
+        way: Way,
+        conclusion: Conclusion,
+    ) -> ControlFlow<()> {
+        let body = self.world.body();
+        let impact = Impact {
+            time: self.time,
+            touching,
+            striking,
+            held: self.mode.held(body),
+            kept: way.kept,
+            sliding: way.sliding,
+            attitude: before.attitude,
+            spin_before: before.spin,
+            spin_after: self.state.spin,
+            kinetic_before: before.kinetic(body),
+            kinetic_after: self.state.kinetic(body),
+            potential: before.potential(self.world),
+            impulses: way.pushes,
+            friction_demand: way.friction_demand,
+            conclusion,
+        };
+        let seen = self.observer.impact(&impact);
+        self.impacts.push(impact);
+        seen
+    }
+}
+
+/// The state after impulses on supports, world axes.
+pub(in crate::spatial) fn pushed(
+    state: &State,
+    world: &crate::spatial::geometry::world::World,
+    pushes: &[(usize, Vec3)],
+) -> State {
+    let body = world.body();
+    let (mut push, mut moment) = (Vec3::ZERO, Vec3::ZERO);
+    for (support, impulse) in pushes {
+        let own = state.attitude.undo(*impulse);
+        push += *impulse;
+        moment += body.supports()[*support].cross(own);
+    }
+    State {
+        velocity: state.velocity + push / body.mass(),
+        spin: state.spin + body.mobility() * moment,
+        ..*state
+    }
+}
