@@ -18,7 +18,7 @@ struct House {
     ground: &'static [&'static str],
 }
 
-const HOUSES: [House; 3] = [
+const HOUSES: [House; 4] = [
     House {
         folder: "crates/carom-impact/src",
         path: "crate::",
@@ -35,6 +35,12 @@ const HOUSES: [House; 3] = [
             "Load",
             "Phase",
         ],
+    },
+    House {
+        folder: "crates/carom-impact/src/planar",
+        path: "crate::planar::",
+        rooms: &[("contacts", 0), ("rates", 1), ("stages", 2), ("ends", 2)],
+        ground: &[],
     },
     House {
         folder: "crates/carom-motion/src/planar",

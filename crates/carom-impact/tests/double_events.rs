@@ -55,7 +55,7 @@ fn compression_ends_at_the_first_of_two_crossings() {
     };
     for depth in DEPTHS {
         let (above, below) = (ends(depth), ends(-depth));
-        let slips = |out: &Outcome| out.velocity.x.hypot(out.velocity.y);
+        let slips = |out: &Outcome| Vec3::new(out.velocity.x, out.velocity.y, 0.0).norm();
         assert!(slips(&above) > 1e-3, "{depth:e}: it has come to rest along the normal: {above:?}");
         assert!(slips(&below) < 1e-9, "{depth:e}: it is driven in until it sticks: {below:?}");
     }

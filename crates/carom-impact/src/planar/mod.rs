@@ -13,32 +13,17 @@
 //! - [`end_states`]: every end state, judged at the end;
 //! - [`pivoting`]: one end state of more contacts than can be enumerated.
 
-mod accumulation;
-mod answer;
-mod bodies;
-mod circle;
-mod clock;
-mod complementarity;
-pub mod end_states;
-mod equations;
-mod family;
-pub mod forces;
-mod names;
-mod pair;
-mod paradox;
-pub mod pivoting;
-pub mod rate;
-mod set;
-pub mod share;
-pub mod sharing;
-pub mod single;
-mod stage;
-pub mod staged;
-pub mod stiffness;
-mod verify;
-mod walk;
+mod contacts;
+mod ends;
+mod rates;
+mod stages;
 
-pub use answer::{Answer, Broken, Condition, Guess, Solution};
-pub use bodies::{Meeting, RigidBody, struck};
-pub use names::{Class, ContactState, ImpactType, Slip, StageEnd};
-pub use set::{Block, ContactSet, ContactSet2, ContactSet6, MOST_CONTACTS, Touch};
+pub use contacts::single;
+pub use ends::{end_states, pivoting};
+pub use rates::{forces, rate};
+pub use stages::{share, sharing, staged, stiffness};
+
+pub use contacts::bodies::{Meeting, RigidBody, struck};
+pub use contacts::names::{Class, ContactState, ImpactType, Slip, StageEnd};
+pub use contacts::set::{Block, ContactSet, ContactSet2, ContactSet6, MOST_CONTACTS, Touch};
+pub use rates::answer::{Answer, Broken, Condition, Guess, Solution};
