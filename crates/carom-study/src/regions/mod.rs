@@ -38,10 +38,12 @@ mod junction;
 mod lattice;
 mod nodes;
 mod patch;
+mod raster;
 mod refine;
 
 pub use curve::{across, distance};
 pub use diagram::{Boundary, Junction, Patch, Place, Regions, Share};
+pub use raster::{Cells, cells};
 
 use crate::tolerance::REGIONS_ACCURACY;
 use std::fmt::Debug;
