@@ -1,10 +1,11 @@
-//! A map of 30 × 30 cells, and a yield of 1024 drops: `cargo bench -p carom-scene`, less than a minute.
+//! A map of 30 × 30 cells, the outcomes of 300 × 300 cells, and a yield of 1024 drops: `cargo bench -p carom-scene`, about a minute; on one core with
+//! `RAYON_NUM_THREADS=1`.
 
 #![allow(missing_docs, reason = "criterion's macros make public items")]
 #![allow(clippy::unwrap_used, reason = "the examples are known to be scenes")]
 
 use carom_scene::Scene;
-use carom_study::regions::{Options, Range};
+use carom_study::regions::{Options, Range, cells};
 use carom_study::yields::{Plan, Points, REPETITIONS, sample};
 use carom_study::{Ending, map};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
@@ -30,6 +31,19 @@ fn maps(c: &mut Criterion) {
     group.warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(10));
     group.throughput(Throughput::Elements(draw().drops as u64));
     group.bench_function("case 1 over friction and reach, 30 × 30 cells", |b| b.iter(draw));
+    let scene = example("case_2.toml");
+    let variants = scene.variants(&["contact.friction", "start.to_edge"]).unwrap();
+    let [friction, reach] = [friction, reach].map(|range| Range { count: 300, ..range });
+    let draw = || {
+        cells(friction, reach, |x, y| {
+            let feeder = variants.feeder(&[x, y]).ok();
+            let run = feeder.as_ref().and_then(|f| f.prepare(Default::default()).ok()?.run_untraced().ok());
+            run.map(|run| Ending::of(&run, 1))
+        })
+        .unwrap()
+    };
+    group.throughput(Throughput::Elements(draw().evaluations as u64));
+    group.bench_function("case 2 over friction and reach, 300 × 300 cells", |b| b.iter(draw));
     group.finish();
 }
 
