@@ -1,4 +1,4 @@
-//! A map of 30 × 30 cells, the outcomes of 300 × 300 cells, and a yield of 1024 drops: `cargo bench -p carom-scene`, about a minute; on one core with
+//! A map of 30 × 30 cells, the outcomes of 300 × 300 cells, a yield of 1024 drops, and one by its boundary: `cargo bench -p carom-scene`, about a minute; on one core with
 //! `RAYON_NUM_THREADS=1`.
 
 #![allow(missing_docs, reason = "criterion's macros make public items")]
@@ -6,7 +6,7 @@
 
 use carom_scene::Scene;
 use carom_study::regions::{Options, Range, cells};
-use carom_study::yields::{Plan, Points, REPETITIONS, sample};
+use carom_study::yields::{Plan, Points, REPETITIONS, locate, sample};
 use carom_study::{Ending, map};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use std::path::Path;
@@ -14,6 +14,9 @@ use std::time::Duration;
 
 /// Drops of the yield.
 const SAMPLES: u64 = 1024;
+
+/// Lines of each repetition of a yield that is located.
+const LINES: u64 = 8;
 
 fn example(name: &str) -> Scene {
     Scene::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name)).unwrap()
@@ -67,6 +70,15 @@ fn yields(c: &mut Criterion) {
     group.warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(10));
     group.throughput(Throughput::Elements(draw().drops));
     group.bench_function("three plates with tolerances, 1024 drops", |b| b.iter(draw));
+    let plan = Plan { samples: LINES, ..plan };
+    let ends = |point: &[f64]| {
+        let feeder = varied.feeder(point);
+        let run = feeder.as_ref().and_then(|f| f.prepare(Default::default()).ok()?.run_untraced().ok());
+        run.is_some_and(|run| wanted(&run))
+    };
+    let draw = || locate(&plan, ends).unwrap();
+    group.throughput(Throughput::Elements(draw().drops));
+    group.bench_function("the same, its boundary located on 128 lines", |b| b.iter(draw));
     group.finish();
 }
 

@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how often intervals hold is a measurement")]
 
-use carom_feeder::{Feeder, Outcome, Part, Plate, Run, Start, Stop, Verdict};
-use carom_impact::Law;
-use carom_num::Vec2;
+mod paper;
+
+use carom_feeder::{Outcome, Run};
 use carom_num::elementary::ln;
 use carom_num::sobol::MOST_DIMENSIONS;
 use carom_study::Ending;
@@ -13,38 +13,7 @@ use carom_study::yields::{
     Contrasts, NoIndices, Plan, Points, Portion, REPETITIONS, Sensitivity, Worst, Yield, YieldError, sample,
     sensitivity,
 };
-
-/// The paper's part on two plates: a rod that turns over on the second one or does not. Five quantities vary around a place near the
-/// boundary: where the lower plate's line meets the upper one's normal and its axis, friction, the upper slope, and the way to the edge.
-fn feeder(point: &[f64]) -> Option<Feeder> {
-    let at = |k: usize, low: f64, high: f64| low + point.get(k).copied().unwrap_or(0.5) * (high - low);
-    let (normal, along) = (at(0, 0.31, 0.37), at(1, 0.33, 0.37));
-    let (friction, slope, to_edge) = (at(2, 0.145, 0.155), at(3, 0.25, 0.27), at(4, 0.09, 0.11));
-    let x = Vec2::at_angle(-slope);
-    let (high, low) = (x * along, x.turned_right() * normal);
-    let down = (low - high).unit()?;
-    let plate = |name: &str, uphill: Vec2, edge: Vec2| Plate {
-        name: name.into(),
-        uphill,
-        edge,
-        friction,
-        restitution: 0.0,
-        unbounded: true,
-        form: Default::default(),
-    };
-    Some(Feeder {
-        gravity: 9.81,
-        stop: Stop::Landed,
-        law: Law::Poisson,
-        part: Part::rod(0.1, 0.3, 2.5e-4)?,
-        start: Start { to_edge, speed: 0.0, face: 0 },
-        plates: vec![
-            plate("upper", x * -0.5, Vec2::ZERO),
-            plate("lower", high - down * 3.0, low + down * 3.0),
-        ],
-        walls: vec![],
-    })
-}
+use paper::{feeder, turns};
 
 fn plan(dimensions: usize, samples: u64, seed: u64, points: Points) -> Plan {
     Plan { dimensions, samples, seed, points, plates: 2, plate: 1 }
@@ -56,10 +25,6 @@ fn turned(plan: &Plan) -> Yield {
 
 fn from_middle(point: &[f64]) -> f64 {
     point.iter().map(|u| (u - 0.5).powi(2)).sum::<f64>()
-}
-
-fn turns(run: &Run) -> bool {
-    Ending::of(run, 1) == Ending::Lies(Verdict::Turned)
 }
 
 /// A portion that turns over, sent and read.

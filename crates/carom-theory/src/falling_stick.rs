@@ -57,7 +57,7 @@ pub fn floor_force_foot_fixed(tilt: f64) -> (f64, f64) {
 /// use carom_theory::falling_stick::{floor_force_foot_fixed, most_friction_behind};
 /// let (tilt, most) = most_friction_behind();
 /// let (forward, upward) = floor_force_foot_fixed(tilt);
-/// assert!((forward / upward - most).abs() < 1e-15 && (most - 0.370_581).abs() < 1e-6);
+/// assert!((forward / upward - most).abs() < 1e-15 && (most - 0.370_579).abs() < 1e-6);
 /// ```
 pub fn most_friction_behind() -> (f64, f64) {
     (libm::acos(9.0 / 11.0), 15.0 * libm::sqrt(10.0) / 128.0)

@@ -6,14 +6,17 @@
 
 mod estimate;
 mod histogram;
+mod located;
 mod portion;
 mod recirculation;
 mod sensitivity;
+mod surface;
 mod tally;
 
 pub use estimate::{Estimate, REPETITIONS, Spread};
 pub(crate) use estimate::{FEW, wilson};
 pub use histogram::Histogram;
+pub use located::{Located, locate};
 pub use portion::Portion;
 pub use recirculation::Recirculation;
 pub use sensitivity::{Contrasts, NoIndices, Sensitivity, sensitivity};

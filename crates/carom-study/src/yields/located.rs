@@ -1,0 +1,171 @@
+//! A probability by its boundary: along one quantity it is located where drops stop to end as wanted, over the others the share of the line is averaged.
+//!
+//! What is averaged is what the share of a line differs from that under a [surface](super::surface) fitted to the boundary, whose own mean is known: where the
+//! boundary is smooth that is next to nothing. The surface is fitted to the lines of other repetitions than those that it is compared with, so
+//! that a bad one biases nothing. Each line is also checked at one place, drawn evenly along it: where a drop there does not do what the line says, the
+//! difference counts. So what the nodes of a line do not see biases nothing either; it widens the interval.
+
+use super::surface::Surface;
+use super::{Estimate, Plan, REPETITIONS, YieldError};
+use crate::stretches::{self, Stretches, find};
+use carom_num::sobol::random;
+use rayon::prelude::*;
+
+/// Where lines are asked at first: near their ends, and between.
+const NODES: [f64; 5] = [1.0 / 128.0, 0.25, 0.5, 0.75, 127.0 / 128.0];
+/// How closely a change is located on a line.
+const WITHIN: f64 = 1.0 / 2048.0;
+/// Changes that are followed between two nodes.
+const MOST_CHANGES: usize = 4;
+/// Lines along each quantity that are asked at both ends, to see which quantity decides.
+const TRIALS: u64 = 8;
+
+/// A probability that was located.
+///
+/// # Example
+/// See [`locate`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Located {
+    /// With what probability it ends as wanted. The interval counts what a change may be off its place.
+    pub wanted: Estimate,
+    /// Along which quantity the boundary was located.
+    pub along: usize,
+    /// How many drops were followed.
+    pub drops: u64,
+}
+
+/// One line: where it lies, the share of it that is wanted, its only change (and whether what is below it is wanted), what changes may be off, and drops.
+#[derive(Clone, Debug, Default)]
+struct Line {
+    others: Vec<f64>,
+    share: f64,
+    change: Option<(f64, bool)>,
+    off: f64,
+    drops: u64,
+}
+
+/// Locates the boundary of what is wanted: `plan.samples` lines in each repetition. `wanted` says whether the drop at a point of the unit cube ends as it
+/// should.
+///
+/// # Limits
+/// The interval is Student's over the repetitions, with half of the width to which changes are located on both sides.
+///
+/// # Errors
+/// [`YieldError`].
+///
+/// # Example
+/// The corner of a cube that x + y + z = 1 cuts off is a sixth of it.
+/// ```
+/// use carom_study::yields::{Plan, Points, locate};
+/// let plan = Plan { dimensions: 3, samples: 16, seed: 1, points: Points::Sobol, plates: 0, plate: 0 };
+/// let found = locate(&plan, |u| u.iter().sum::<f64>() < 1.0)?;
+/// assert!((found.wanted.share - 1.0 / 6.0).abs() < 1e-3 && found.drops < 4000);
+/// # Ok::<(), carom_study::yields::YieldError>(())
+/// ```
+pub fn locate(plan: &Plan, wanted: impl Fn(&[f64]) -> bool + Sync) -> Result<Located, YieldError> {
+    plan.check()?;
+    let (along, trials) = decisive(plan, &wanted);
+    let lines = plan.rounded();
+    let one = |number: u64| {
+        let points = plan.points((number / lines) as usize)?;
+        Some(Line::of(points(number % lines), along, &wanted))
+    };
+    let found: Vec<Line> = (0..plan.drops())
+        .into_par_iter()
+        .panic_fuse()
+        .map(|number| one(number).unwrap_or_default())
+        .collect();
+    let repetitions: Vec<&[Line]> = found.chunks(lines as usize).collect();
+    let (some, rest) = repetitions.split_at(REPETITIONS / 2);
+    let surfaces = [fitted(rest), fitted(some)];
+    let differs = |(number, own): (usize, &&[Line])| {
+        let average = |of: &dyn Fn(&Line) -> f64| own.iter().map(of).sum::<f64>() / own.len() as f64;
+        let Some(surface) = &surfaces[number / (REPETITIONS / 2)] else { return average(&|line| line.share) };
+        let start: Vec<f64> = (1..plan.dimensions).map(|k| random(plan.seed, number as u64, k)).collect();
+        surface.mean(&start) + average(&|line| line.share - surface.share(&line.others))
+    };
+    let each: Vec<f64> = repetitions.par_iter().enumerate().panic_fuse().map(differs).collect();
+    let share = each.iter().sum::<f64>() / each.len() as f64;
+    let off = found.iter().map(|line| line.off).sum::<f64>() / found.len() as f64;
+    let spread = Estimate::about(share, &each);
+    let wanted = Estimate {
+        share: share.clamp(0.0, 1.0),
+        low: (spread.low - off).max(0.0),
+        high: (spread.high + off).min(1.0),
+        count: found.len() as u64,
+    };
+    Ok(Located { wanted, along, drops: trials + found.iter().map(|line| line.drops).sum::<u64>() })
+}
+
+/// The boundary, from the lines that change once, the way that most of them do.
+fn fitted(lines: &[&[Line]]) -> Option<Surface> {
+    let changes =
+        || lines.iter().flat_map(|lines| lines.iter()).filter_map(|line| Some((line, line.change?)));
+    let ways = changes().map(|(_, (_, below))| i64::from(below) * 2 - 1).sum::<i64>();
+    let places = changes().filter(|(_, (_, below))| *below == (ways > 0));
+    let places: Vec<(&[f64], f64)> = places.map(|(line, (place, _))| (&line.others[..], place)).collect();
+    Surface::through(&places, ways > 0)
+}
+
+/// The quantity along which most lines change, and the drops that it took to see that.
+fn decisive(plan: &Plan, wanted: &(impl Fn(&[f64]) -> bool + Sync)) -> (usize, u64) {
+    let Some(points) = plan.points(REPETITIONS) else { return (0, 0) };
+    let changes = |along: usize| {
+        let line = |number: u64| {
+            let mut point = points(number);
+            let mut at = |place: f64| {
+                point[along] = place;
+                wanted(&point)
+            };
+            at(NODES[0]) != at(NODES[NODES.len() - 1])
+        };
+        (0..TRIALS).filter(|number| line(*number)).count()
+    };
+    let found: Vec<usize> = (0..plan.dimensions).into_par_iter().panic_fuse().map(changes).collect();
+    let most = found.iter().copied().max().unwrap_or(0);
+    let along = found.iter().position(|changes| *changes == most).unwrap_or(0);
+    (along, 2 * TRIALS * plan.dimensions as u64)
+}
+
+impl Line {
+    /// The line through a point, along one quantity, where that point is the check.
+    fn of(point: Vec<f64>, along: usize, wanted: &(impl Fn(&[f64]) -> bool + Sync)) -> Self {
+        let at = |place: f64| {
+            let mut moved = point.clone();
+            moved[along] = place;
+            wanted(&moved)
+        };
+        let options = stretches::Options { accuracy: WITHIN, most: MOST_CHANGES };
+        let found = find(&NODES, options, at, |label| *label);
+        let others: Vec<f64> =
+            point.iter().enumerate().filter(|(k, _)| *k != along).map(|(_, u)| *u).collect();
+        let parts = parts(&found);
+        let change = if let [below, above] = parts[..] { Some((above.0, below.2)) } else { None };
+        let drops = found.evaluations as u64 + 1;
+        let mut line = Self { others, share: 0.0, change, off: 0.0, drops };
+        for (from, to, label, doubtful) in parts {
+            let share = to - from;
+            line.share += if label { share } else { 0.0 };
+            line.off += 0.5 * doubtful;
+            // Beside a change that was located the check says nothing new.
+            let check = point[along];
+            if from + 0.5 * doubtful <= check && check < to {
+                line.share += f64::from(u8::from(wanted(&point))) - f64::from(u8::from(label));
+            }
+        }
+        line
+    }
+}
+
+/// The pieces of a line, each from the middle of a change to the middle of the next, with its label and the width to which the change before it is known.
+fn parts(found: &Stretches<bool>) -> Vec<(f64, f64, bool, f64)> {
+    let pieces = &found.pieces;
+    let middle = |k: usize| 0.5 * (pieces[k].last + pieces[k + 1].first);
+    let part = |k: usize| {
+        let from = if k == 0 { 0.0 } else { middle(k - 1) };
+        let to = if k + 1 == pieces.len() { 1.0 } else { middle(k) };
+        let doubtful = if k == 0 { 0.0 } else { pieces[k].first - pieces[k - 1].last };
+        (from, to, pieces[k].label, doubtful)
+    };
+    (0..pieces.len()).map(part).collect()
+}
