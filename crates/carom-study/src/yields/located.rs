@@ -11,8 +11,8 @@ use crate::stretches::{self, Stretches, find};
 use carom_num::sobol::random;
 use rayon::prelude::*;
 
-/// Where lines are asked at first: near their ends, and between.
-const NODES: [f64; 5] = [1.0 / 128.0, 0.25, 0.5, 0.75, 127.0 / 128.0];
+/// Where lines are asked at first: at their ends but for a millionth, and between. At the very ends a quantity that is spread normally is infinite.
+const NODES: [f64; 5] = [1e-6, 0.25, 0.5, 0.75, 1.0 - 1e-6];
 /// How closely a change is located on a line.
 const WITHIN: f64 = 1.0 / 2048.0;
 /// Changes that are followed between two nodes.
