@@ -6,7 +6,7 @@ use thiserror::Error;
 /// Why there is no motion, or it cannot go on: a fault of the start or of the numbers, not of the physics.
 ///
 /// # Example
-/// A body that is nowhere cannot move.
+/// A body at a place that is not a number cannot move.
 /// ```
 /// use carom_motion::MotionError;
 /// use carom_motion::planar::{Options, Pose, State, Walker, examples};

@@ -1,9 +1,9 @@
 //! A smooth course, followed to its first event.
 //!
-//! [`walk`] is the loop: step after step of a [`Stepper`], each looked through for the first event, until one happens, the end is known, or a budget is spent. A
-//! stepper may have the whole step as a series in time.
+//! [`walk`] is the loop. It makes step after step of a [`Stepper`] and searches each for its first event, until one happens, the end is known, or a budget is
+//! spent. A stepper that knows its steps as series in time needs nothing more.
 //!
-//! Where it has not, it is a [`Course`]: a system of equations and the functions that are positive as long as they hold. [`follow`] makes [steps](step) of
+//! A [`Course`] is a system of equations and the functions that are positive as long as they hold. [`follow`] makes a stepper of it: it makes [steps](step) of
 //! [order 8](crate::ode8) within a tolerance, asks the course for the first event in the dense output of each, and steps TO the event: the end is that of a step, not of
 //! an interpolant.
 
@@ -76,6 +76,11 @@ pub trait Course {
         (step_plain(*y, *rate, length, |y| self.rate(y)), false)
     }
 
+    /// True where a state near an event may be moved on by explicit steps; false where the equations are stiff.
+    fn is_smooth(&self, _step: &Step<Self::Y>) -> bool {
+        true
+    }
+
     /// The end of a step of another length from the same start.
     fn step_to(&mut self, step: &Step<Self::Y>, length: f64) -> Self::Y {
         step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
@@ -97,7 +102,7 @@ pub struct Pace<Y> {
     pub tolerance: Y,
     /// The longest step to try.
     pub longest: f64,
-    /// A step that has to be shorter than this is not made: [`Lost::Short`].
+    /// A step that is refused is not tried again shorter than this: [`Lost::Short`].
     pub shortest: f64,
     /// Errors of steps of this length or less, and up to this number of tolerances, are rounding: shorter steps would not help.
     pub noise: Option<[f64; 2]>,
@@ -141,8 +146,8 @@ pub struct Reached<Y, Event> {
 pub type Followed<C> =
     Stop<Step<<C as Course>::Y>, Reached<<C as Course>::Y, <C as Course>::Event>, <C as Course>::End>;
 
-/// Follows a course from a state, and the derivative there, to its first event or to where its end is known. `first` is the length of the first step, and at
-/// most `most_steps` are made.
+/// Follows a course from a state, and the derivative there, to its first event or to where its end is known. `first` is the length of the first step. At
+/// most `most_steps` are made; those that are refused do not count.
 ///
 /// # Errors
 /// [`Lost`]: a budget by its name.
@@ -240,7 +245,8 @@ pub fn step<C: Course + ?Sized>(
     length: f64,
 ) -> Result<(Step<C::Y>, f64), Lost> {
     let pace = course.pace(from.0, from.1);
-    let mut length = length.min(pace.longest);
+    // Longer steps than any number have no error that could be told.
+    let mut length = length.min(pace.longest).min(f64::MAX);
     // A last step may be as short as what is left.
     let shortest = pace.shortest.min(pace.longest);
     loop {
@@ -311,6 +317,31 @@ mod tests {
         }
     }
 
+    /// Nothing limits its steps, and nothing ends it.
+    struct Still;
+
+    impl Course for Still {
+        type Y = [f64; 1];
+        type Event = ();
+        type End = ();
+
+        fn rate(&mut self, _: &[f64; 1]) -> [f64; 1] {
+            [1.0]
+        }
+
+        fn first_event(&mut self, _: &Step<[f64; 1]>) -> Result<Option<Found<()>>, Lost> {
+            Ok(None)
+        }
+
+        fn value(&mut self, (): &(), _: f64, _: &[f64; 1]) -> f64 {
+            1.0
+        }
+
+        fn pace(&self, _: &[f64; 1], _: &[f64; 1]) -> Pace<[f64; 1]> {
+            Pace::within([1e300])
+        }
+    }
+
     /// Both ends of the step see the function positive: only what happens between tells.
     #[test]
     fn a_function_that_falls_and_rises_within_one_step_is_found() {
@@ -336,6 +367,10 @@ mod tests {
     fn budgets_end_by_name() {
         let none = || Oscillator::watching(|_: &[f64; 3]| [1.0]);
         assert!(matches!(none().follow(0.1), Err(Lost::Steps)), "100 steps");
+        assert!(
+            matches!(follow(&mut Still, ([0.0], [1.0]), 0.1, 1000), Err(Lost::Steps)),
+            "steps that grow without end"
+        );
         let tight = Oscillator { tolerance: 1e-60, ..none() };
         assert!(matches!(tight.follow(0.1), Err(Lost::Short(_))), "steps of a millionth");
     }

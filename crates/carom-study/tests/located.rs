@@ -58,3 +58,19 @@ fn a_yield_is_known_to_a_thousandth_for_few_drops() {
     assert!((found.wanted.share - truth.wanted.share).abs() <= half + of_samples, "{found:?}");
     assert!(half <= 1e-3 && found.drops < 2500, "± {half:e} by {} drops", found.drops);
 }
+
+#[test]
+fn what_nobody_sees_is_bounded_beside_the_interval() {
+    // All, nothing, and a window of a hundredth that few checks meet.
+    let all = locate(&plan(2, 8, 1), |_| true).unwrap();
+    let none = locate(&plan(1, 1, 1), |_| false).unwrap();
+    assert_eq!([all.wanted.share, none.wanted.share], [1.0, 0.0]);
+    assert!(all.unseen < 4.0 / 128.0 && none.unseen < 4.0 / 16.0 && none.unseen > 0.1, "{all:?} {none:?}");
+    let window = |u: &[f64]| (0.3..0.31).contains(&u[0]);
+    let held = (0..100).filter(|seed| {
+        let found = locate(&plan(2, 1, *seed), window).unwrap();
+        (found.wanted.low - found.unseen..=found.wanted.high + found.unseen).contains(&0.01)
+    });
+    assert!(held.count() >= 95, "with what is unseen intervals hold");
+    assert!(locate(&plan(2, 1 << 20, 1), window).is_err(), "a million lines in each repetition");
+}

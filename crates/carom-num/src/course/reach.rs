@@ -145,7 +145,8 @@ pub(super) fn reach<C: Course>(course: &mut C, step: &Step<C::Y>, found: &Found<
         if !correction.is_finite() || correction.abs() <= LAST_DIGIT * (pace.clock + length) {
             break;
         }
-        if correction.abs() <= STRAIGHT * step.length {
+        let smooth = course.is_smooth(step);
+        if smooth && correction.abs() <= STRAIGHT * step.length {
             let by = correction.max(-length);
             return (length + by, shifted(course, &end, by));
         }
@@ -155,7 +156,7 @@ pub(super) fn reach<C: Course>(course: &mut C, step: &Step<C::Y>, found: &Found<
         if (next - place).abs() > MOST_ASTRAY * step.length {
             return (place, course.step_to(step, place));
         }
-        end = if correction.abs() <= SHORT_SHIFT * length {
+        end = if smooth && correction.abs() <= SHORT_SHIFT * length {
             moved_on(course, &end, next - length)
         } else {
             course.step_to(step, next)

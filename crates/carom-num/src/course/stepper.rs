@@ -105,6 +105,6 @@ pub enum Lost {
     Steps,
     /// Steps would have to be shorter than [`Pace::shortest`](super::Pace::shortest): the length that would come next.
     Short(f64),
-    /// A number was lost, and a shorter step does not bring it back.
+    /// A number was lost, as the course has told, and a shorter step does not bring it back. A rate that is no number by itself ends as [`Lost::Short`].
     Number,
 }

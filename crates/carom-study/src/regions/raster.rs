@@ -1,4 +1,4 @@
-//! The label of every cell of a fine grid, most of them without a question.
+//! The label of every cell of a fine grid. Most cells are not asked: their region is known.
 
 use super::{Boundary, Label, Options, Range, Regions, RegionsError, check, find};
 use rayon::prelude::*;
@@ -9,7 +9,7 @@ const COARSENESS: usize = 8;
 const DEPTH: u32 = 3;
 /// How finely boundaries are located, in cells.
 const WITHIN: f64 = 0.1;
-/// Cells whose middle is nearer to a boundary than this are asked themselves, in cells.
+/// Cells whose middle is nearer to a boundary than this, in cells, are classified on their own.
 const NEAR: f64 = 0.75;
 
 /// The cells of a grid.
@@ -24,11 +24,11 @@ pub struct Cells<L> {
     pub evaluations: usize,
 }
 
-/// Finds the label at the middle of every cell of a grid, by its regions: their boundaries are followed, and only cells beside a boundary are asked themselves. Where one of
-/// these is not what its region says, its neighbours are asked too, and so on.
+/// Finds the label at the middle of every cell of a grid by its regions: their boundaries are followed, and only cells beside a boundary are classified on their own. Where one of
+/// these is not what its region says, its neighbours are classified too, and so on.
 ///
 /// # Limits
-/// A region that holds none of the places that [`find`] asks, on a grid eight times as coarse, and touches no boundary that it finds, is missed.
+/// A region that holds none of the places that [`find`] asks, on a grid eight times as coarse, is missed unless a cell beside a boundary, or a chain of neighbours from there, lies in it.
 ///
 /// # Errors
 /// As [`find`].

@@ -63,12 +63,12 @@ impl<const B: usize> Walker<'_, B> {
         let stop = follow(&mut gliding, (y, f), length, MOST_STEPS as usize);
         let stop = stop.map(|stop| match stop {
             Stop::Event { event: Reached { event, length, y }, step } => {
+                self.note_step(step, length, observers);
                 if is_dense(observers) {
                     self.sample_stretch(&step, (length / step.length, true), observers);
                 }
-                self.note_step(step, length, observers);
                 self.time += length;
-                self.states = unpack(&y);
+                self.states = self.projected(&unpack(&y));
                 self.report_slips(observers);
                 Stop::Event { event, step: () }
             }

@@ -101,7 +101,8 @@ impl<'g, 'w, 'l, 'o, const B: usize> Gliding<'g, 'w, 'l, 'o, B> {
     fn not_after_another(&mut self, tried: &Step<Vector<B>>, mut first: Found<Event>) -> Found<Event> {
         for i in 0.. {
             let Some(row) = self.list.iter().nth(i).copied() else { break };
-            if row.values[0] <= 0.0 || row.values.iter().all(|v| *v >= 0.0) {
+            let falls = row.values[0] > 0.0 && row.values.iter().any(|v| *v < 0.0);
+            if !falls {
                 continue;
             }
             if matches!(first.event, Event::Watched(known) if known.what == row.watched.what) {

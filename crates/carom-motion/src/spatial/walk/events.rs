@@ -15,8 +15,8 @@ use carom_num::ode8::Step;
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
 const MOST_NEWTON: u32 = 20;
 
-impl<C: Motion> Gliding<'_, '_, C> {
-    pub(super) fn value_at(&self, event: &Event, y: &C::Y, at: &Posture) -> f64 {
+impl<M: Motion> Gliding<'_, '_, M> {
+    pub(super) fn value_at(&self, event: &Event, y: &M::Y, at: &Posture) -> f64 {
         let value = match *event {
             Event::Touches(support) => return self.height(support, at).value,
             Event::Overturns => self.uprightness(at),
@@ -52,7 +52,7 @@ impl<C: Motion> Gliding<'_, '_, C> {
     }
 
     /// The first event within a step.
-    pub(super) fn event_in(&mut self, step: &Step<C::Y>) -> Option<Found<Event>> {
+    pub(super) fn event_in(&mut self, step: &Step<M::Y>) -> Option<Found<Event>> {
         let mut first: Option<Found<Event>> = None;
         for event in self.smooth_events() {
             let mut of = |x: f64| {
@@ -88,7 +88,7 @@ impl<C: Motion> Gliding<'_, '_, C> {
     /// where `ḣ < 0` and `2 B h < ḣ²`.
     fn march(
         &mut self,
-        step: &Step<C::Y>,
+        step: &Step<M::Y>,
         (support, from, until): (usize, f64, f64),
     ) -> Option<Found<Event>> {
         let arm = self.walker.world.body().supports()[support];
@@ -113,7 +113,7 @@ impl<C: Motion> Gliding<'_, '_, C> {
     }
 
     /// The motion at a fraction of a step.
-    fn place(&mut self, step: &Step<C::Y>, x: f64) -> (C::Y, Posture) {
+    fn place(&mut self, step: &Step<M::Y>, x: f64) -> (M::Y, Posture) {
         self.walker.effort.event_evaluations += 1;
         let y = step.at(x);
         let at = self.motion.posture(&y, self.elapsed + x * step.length);
@@ -121,7 +121,7 @@ impl<C: Motion> Gliding<'_, '_, C> {
     }
 
     /// The height of a support at a fraction of a step.
-    fn look(&mut self, step: &Step<C::Y>, support: usize, x: f64) -> Height {
+    fn look(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> Height {
         let at = self.place(step, x).1;
         self.height(support, &at)
     }

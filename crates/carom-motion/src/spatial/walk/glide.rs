@@ -61,7 +61,8 @@ impl Walker<'_> {
             // The forces on what slides grow without bound here: it jams, and this is no fault of the numbers.
             Err(Lost::Short(_)) if matches!(mode, Mode::Slides { .. }) => Stop::Event(Event::Jams),
             Err(Lost::Short(step)) => return Err(MotionError::StepTooSmall { time: self.time, step }),
-            Err(Lost::Number | Lost::Steps) => return Err(MotionError::NotFinite { time: self.time }),
+            Err(Lost::Number) => return Err(MotionError::NotFinite { time: self.time }),
+            Err(Lost::Steps) => return Err(MotionError::TooManySteps { time: self.time, steps: u32::MAX }),
         };
         let work = gliding.work;
         self.friction_work += work;

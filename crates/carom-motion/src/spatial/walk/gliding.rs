@@ -154,6 +154,10 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
     }
 
     fn end(&mut self, y: &M::Y, rate: &M::Y) -> Option<Stop> {
+        // The next step tells it.
+        if !self.walker.state.is_finite() {
+            return None;
+        }
         if self.elapsed > 0.0
             && let Some((rest, end)) = self.motion.stops(y, rate)
         {
@@ -186,7 +190,12 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
         if !self.walker.state.is_finite() {
             return Err(Lost::Number);
         }
-        let Pace { longest, tolerance, .. } = self.pace(from.0, from.1);
+        let Pace { longest, tolerance, shortest, .. } = self.pace(from.0, from.1);
+        // Steps towards a stop that never comes, on a clock that stands: only what is left of the time may be as short.
+        if longest < shortest && longest < self.walker.options.most_time - self.walker.time {
+            self.arrive(from.0, self.elapsed);
+            return Err(Lost::Short(longest));
+        }
         let made = if let Some(stiff) = self.motion.stiff_step(from, (length, longest), &tolerance) {
             self.walker.effort.steps += 1;
             Ok(stiff)
@@ -203,6 +212,10 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
     fn tried(&mut self, (y, rate): (&M::Y, &M::Y), length: f64) -> (Trial<M::Y>, bool) {
         self.walker.effort.refused_steps += 1;
         watched(|| step_plain(*y, *rate, length, |y| self.rate(y)))
+    }
+
+    fn is_smooth(&self, step: &Step<M::Y>) -> bool {
+        !self.motion.is_stiff(&step.start, &step.start_rate)
     }
 
     fn step_to(&mut self, step: &Step<M::Y>, length: f64) -> M::Y {

@@ -59,6 +59,11 @@ pub(in crate::spatial) trait Motion {
     /// The longest step to try from here \[s\].
     fn longest(&self, y: &Self::Y, rate: &Self::Y) -> f64;
 
+    /// True where explicit steps would be far shorter than what the motion needs.
+    fn is_stiff(&self, _y: &Self::Y, _rate: &Self::Y) -> bool {
+        false
+    }
+
     /// An implicit step from here, where explicit steps would be short, and the length of the next one. The step has the hinted length or less, and
     /// at most the other length.
     fn stiff_step(

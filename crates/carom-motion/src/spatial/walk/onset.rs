@@ -26,7 +26,7 @@ impl Sliding {
     /// to zero, much faster than it changes its speed.
     ///
     /// A slip u whose direction is off by δ from the one that friction lets it keep has `δ̇ = −(k/u) δ`, and `u̇` is its change.
-    pub(super) fn is_stiff(&self, y: &Vector, rate: &Vector) -> bool {
+    pub(super) fn turns_at_once(&self, y: &Vector, rate: &Vector) -> bool {
         self.slowing(y, rate).any(|slip| {
             let most = slip.friction * slip.normal.max(0.0) / self.mass();
             if most <= 0.0 || slip.speed == 0.0 {

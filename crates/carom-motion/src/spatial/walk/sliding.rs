@@ -135,7 +135,7 @@ impl Sliding {
         let normal = matches!(mode, Mode::Rest { .. }).then(|| normal_of(body, bearing)).flatten();
         let up = state.up();
         let at = state.place(foot);
-        let course = Self {
+        let motion = Self {
             body: body.clone(),
             scales: world.scales(),
             gravity: world.gravity(),
@@ -154,8 +154,8 @@ impl Sliding {
         // Two points at rest: nothing turns about the normal.
         let yaw = if rests > 1 { 0.0 } else { spin.dot(up) };
         let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, slip.x, slip.y, 0.0, yaw];
-        let first = course.tidied(&first);
-        Some((course, first))
+        let first = motion.tidied(&first);
+        Some((motion, first))
     }
 
     /// The same, where the slip of a support has come to its end: it is zero. The slower a slip is, the faster friction turns it, so that on its last
@@ -248,6 +248,10 @@ impl Motion for Sliding {
     fn longest(&self, y: &Vector, rate: &Vector) -> f64 {
         let stop = |s: Slowing| if s.change < 0.0 { s.speed / -s.change } else { f64::INFINITY };
         TOWARDS_STOP * self.slowing(y, rate).map(stop).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
+    fn is_stiff(&self, y: &Vector, rate: &Vector) -> bool {
+        self.turns_at_once(y, rate)
     }
 
     fn stiff_step(

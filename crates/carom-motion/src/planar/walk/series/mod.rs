@@ -70,7 +70,7 @@ where
     }
 
     fn event(&mut self, (): &mut ()) -> Result<Option<Event>, Lost> {
-        let Some(stretch) = &mut self.place else { return Ok(None) };
+        let Some(stretch) = &mut self.place else { return Err(Lost::Number) };
         let event = self.walker.shortened(stretch, &mut self.list);
         self.walker.take(stretch, event.is_some(), self.observers);
         Ok(event)
