@@ -168,8 +168,12 @@ mod tests {
     use super::*;
 
     fn planar(room: &str, text: &str) -> Vec<String> {
-        let house = &HOUSES[1];
+        let house = house("crates/carom-motion/src/planar");
         house.faults((room, 1), text)
+    }
+
+    fn house(folder: &str) -> &'static House {
+        HOUSES.iter().find(|house| house.folder == folder).unwrap()
     }
 
     #[test]
@@ -194,7 +198,7 @@ mod tests {
 
     #[test]
     fn space_does_not_know_the_plane() {
-        let house = &HOUSES[0];
+        let house = house("crates/carom-impact/src");
         let spatial = house.place("crates/carom-impact/src/spatial/walk.rs").unwrap();
         assert!(
             house.faults(spatial, "use crate::{Law, spatial::Contact, tolerance::RANK};").is_empty(),
@@ -219,7 +223,7 @@ mod tests {
                 .is_empty(),
             "its own"
         );
-        let house = &HOUSES[1];
+        let house = house("crates/carom-motion/src/planar");
         assert_eq!(house.place("crates/carom-motion/src/planar/walk/series/along.rs"), Some(("walk", 2)));
         assert_eq!(
             house.place("crates/carom-motion/src/planar/walk/series/tests.rs"),
