@@ -63,12 +63,17 @@ pub trait Course {
     /// How steps are made from a state.
     fn pace(&self, y: &Self::Y, rate: &Self::Y) -> Pace<Self::Y>;
 
-    /// A step and the length of the next one. `length` is what the last step has left.
+    /// A step and the length of the next one. `length` is what the last step has left, and `pace` that of the state.
     ///
     /// # Errors
     /// [`Lost`].
-    fn step(&mut self, from: (&Self::Y, &Self::Y), length: f64) -> Result<(Step<Self::Y>, f64), Lost> {
-        step(self, from, length)
+    fn step(
+        &mut self,
+        from: (&Self::Y, &Self::Y),
+        length: f64,
+        pace: &Pace<Self::Y>,
+    ) -> Result<(Step<Self::Y>, f64), Lost> {
+        step(self, from, length, pace)
     }
 
     /// An explicit step that is tried, and whether a number was lost in it.
@@ -83,7 +88,7 @@ pub trait Course {
 
     /// The end of a step of another length from the same start.
     fn step_to(&mut self, step: &Step<Self::Y>, length: f64) -> Self::Y {
-        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
+        explicit_end(self, step, length)
     }
 
     /// Goes to the end of a step in which nothing happens; the state to go on from.
@@ -191,7 +196,7 @@ pub fn follow<C: Course>(
     first: f64,
     most_steps: usize,
 ) -> Result<Followed<C>, Lost> {
-    walk(&mut Integration { course, y, rate, length: first }, most_steps)
+    walk(&mut Integration { course, y, rate, length: first, clock: 0.0 }, most_steps)
 }
 
 /// A course from step to step.
@@ -201,6 +206,8 @@ struct Integration<'c, C: Course> {
     rate: C::Y,
     /// Of the next step.
     length: f64,
+    /// Where the last step started.
+    clock: f64,
 }
 
 impl<C: Course> Stepper for Integration<'_, C> {
@@ -213,15 +220,16 @@ impl<C: Course> Stepper for Integration<'_, C> {
     }
 
     fn step(&mut self) -> Result<Step<C::Y>, Lost> {
-        let (step, next) = self.course.step((&self.y, &self.rate), self.length)?;
-        self.length = next;
+        let pace = self.course.pace(&self.y, &self.rate);
+        let (step, next) = self.course.step((&self.y, &self.rate), self.length, &pace)?;
+        (self.length, self.clock) = (next, pace.clock);
         Ok(step)
     }
 
     fn event(&mut self, step: &mut Step<C::Y>) -> Result<Option<Reached<C::Y, C::Event>>, Lost> {
         let found = self.course.first_event(step)?;
         Ok(found.map(|found| {
-            let (length, y) = reach(self.course, step, &found);
+            let (length, y) = reach(self.course, step, &found, self.clock);
             Reached { event: found.event, length, y }
         }))
     }
@@ -230,6 +238,14 @@ impl<C: Course> Stepper for Integration<'_, C> {
         self.rate = step.end_rate;
         self.y = self.course.passed(step);
     }
+}
+
+/// The end of an explicit step of another length from the same start.
+///
+/// # Example
+/// See [`Course::step_to`], which is this unless a course knows better.
+pub fn explicit_end<C: Course + ?Sized>(course: &mut C, step: &Step<C::Y>, length: f64) -> C::Y {
+    step_plain(step.start, step.start_rate, length, |y| course.rate(y)).end
 }
 
 /// An explicit step whose error is within the tolerance, and the length to try next.
@@ -243,8 +259,8 @@ pub fn step<C: Course + ?Sized>(
     course: &mut C,
     from: (&C::Y, &C::Y),
     length: f64,
+    pace: &Pace<C::Y>,
 ) -> Result<(Step<C::Y>, f64), Lost> {
-    let pace = course.pace(from.0, from.1);
     // Longer steps than any number have no error that could be told.
     let mut length = length.min(pace.longest).min(f64::MAX);
     // A last step may be as short as what is left.

@@ -8,7 +8,7 @@
 use carom_scene::Scene;
 use carom_study::regions::{Options, Range, cells};
 use carom_study::yields::{Plan, Points, REPETITIONS, locate, sample};
-use carom_study::{Ending, map};
+use carom_study::{Dropped, Ending, map};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use std::path::Path;
 use std::time::Duration;
@@ -40,9 +40,7 @@ fn maps(c: &mut Criterion) {
     let [friction, reach] = [friction, reach].map(|range| Range { count: 300, ..range });
     let draw = || {
         cells(friction, reach, |x, y| {
-            let feeder = variants.feeder(&[x, y]).ok();
-            let run = feeder.as_ref().and_then(|f| f.prepare(Default::default()).ok()?.run_untraced().ok());
-            run.map(|run| Ending::of(&run, 1))
+            Dropped::of(variants.feeder(&[x, y]).ok().as_ref(), 1, &Default::default()).ending
         })
         .unwrap()
     };
@@ -87,9 +85,8 @@ fn located(c: &mut Criterion) {
         plate: scene.feeder().plates.len() - 1,
     };
     let ends = |point: &[f64]| {
-        let feeder = varied.feeder(point);
-        let run = feeder.as_ref().and_then(|f| f.prepare(Default::default()).ok()?.run_untraced().ok());
-        run.is_some_and(|run| scene.ends_as_wanted(&run) == Some(true))
+        let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &Default::default());
+        dropped.run.is_some_and(|run| scene.ends_as_wanted(&run) == Some(true))
     };
     let draw = || locate(&plan, ends).unwrap();
     let found = draw();

@@ -12,10 +12,11 @@
 
 #![allow(clippy::print_stdout, reason = "the share is what it is run for")]
 
-use carom_feeder::{Feeder, Part, Plate, Start, Stop};
-use carom_impact::Law;
+#[path = "../tests/paper/mod.rs"]
+mod paper;
+
+use carom_feeder::Feeder;
 use carom_motion::planar::Options;
-use carom_num::Vec2;
 use carom_num::normal::quantile;
 use carom_num::sobol::random;
 use carom_study::Dropped;
@@ -41,30 +42,9 @@ fn feeder(parameters: &[f64], point: &[f64]) -> Option<Feeder> {
     let normal = |k: usize| point.get(k).map_or(0.0, |share| quantile(*share));
     let slope = (14.0 + 0.3 * normal(0)).to_radians();
     let to_edge = 0.1 + 0.001 * normal(1);
-    let x = Vec2::at_angle(-slope);
-    let (high, low) = (x * 0.35, x.turned_right() * 0.33);
-    let down = (low - high).unit()?;
-    let plate = |name: &str, uphill: Vec2, edge: Vec2| Plate {
-        name: name.into(),
-        uphill,
-        edge,
-        friction,
-        restitution,
-        unbounded: true,
-        form: Default::default(),
-    };
-    Some(Feeder {
-        gravity: 9.81,
-        stop: Stop::Landed,
-        law: Law::Poisson,
-        part: Part::rod(0.1, 0.3, 2.5e-4)?,
-        start: Start { to_edge, speed: 0.0, face: 0 },
-        plates: vec![
-            plate("upper", x * -0.5, Vec2::ZERO),
-            plate("lower", high - down * 3.0, low + down * 3.0),
-        ],
-        walls: vec![],
-    })
+    let mut feeder = paper::layout(0.33, 0.35, friction, slope, to_edge)?;
+    feeder.plates.iter_mut().for_each(|plate| plate.restitution = restitution);
+    Some(feeder)
 }
 
 fn drop(parameters: &[f64], point: &[f64]) -> Simulated {

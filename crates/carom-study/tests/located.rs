@@ -5,8 +5,10 @@
 
 mod paper;
 
+use carom_feeder::Verdict;
+use carom_study::Ending;
 use carom_study::yields::{Plan, Points, locate, sample};
-use paper::{feeder, turned};
+use paper::{ending, feeder};
 
 fn plan(dimensions: usize, samples: u64, seed: u64) -> Plan {
     Plan { dimensions, samples, seed, points: Points::Sobol, plates: 2, plate: 1 }
@@ -47,7 +49,7 @@ fn what_lines_do_not_see_widens_the_interval_and_biases_nothing() {
 /// The paper's drop with five tolerances: as sure as a thousandth, for a tenth of the drops.
 #[test]
 fn a_yield_is_known_to_a_thousandth_for_few_drops() {
-    let ends = |point: &[f64]| turned(feeder(point).as_ref());
+    let ends = |point: &[f64]| ending(feeder(point).as_ref()) == Ending::Lies(Verdict::Turned);
     let truth = sample(&plan(5, 16_384, 77), feeder, paper::turns, |_| 0.0).unwrap();
     let found = locate(&plan(5, 8, 1), ends).unwrap();
     let [half, of_samples] = [found.wanted, truth.wanted].map(|one| 0.5 * (one.high - one.low));

@@ -122,9 +122,14 @@ fn value_on<C: Course>(course: &mut C, step: &Step<C::Y>, event: &C::Event, x: f
 }
 
 /// Steps to an event: the length of the step that ends there, and its end. What is left of the event function is taken away by a shift along the
-/// course, which is too short for the curvature of the course to count.
-pub(super) fn reach<C: Course>(course: &mut C, step: &Step<C::Y>, found: &Found<C::Event>) -> (f64, C::Y) {
-    let pace = course.pace(&step.start, &step.start_rate);
+/// course, which is too short for the curvature of the course to count. `clock` is where the step starts.
+pub(super) fn reach<C: Course>(
+    course: &mut C,
+    step: &Step<C::Y>,
+    found: &Found<C::Event>,
+    clock: f64,
+) -> (f64, C::Y) {
+    let smooth = course.is_smooth(step);
     let place = found.at * step.length;
     let (mut length, mut slope) = (place, found.slope);
     let mut before: Option<(f64, f64)> = None;
@@ -142,10 +147,9 @@ pub(super) fn reach<C: Course>(course: &mut C, step: &Step<C::Y>, found: &Found<
             (value - value_on(course, step, &found.event, near)) / (length - near * step.length)
         });
         let correction = -value / slope;
-        if !correction.is_finite() || correction.abs() <= LAST_DIGIT * (pace.clock + length) {
+        if !correction.is_finite() || correction.abs() <= LAST_DIGIT * (clock + length) {
             break;
         }
-        let smooth = course.is_smooth(step);
         if smooth && correction.abs() <= STRAIGHT * step.length {
             let by = correction.max(-length);
             return (length + by, shifted(course, &end, by));

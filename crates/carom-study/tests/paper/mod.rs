@@ -6,7 +6,7 @@ use carom_feeder::{Feeder, Part, Plate, Run, Start, Stop, Verdict};
 use carom_impact::Law;
 use carom_motion::planar::Options;
 use carom_num::Vec2;
-use carom_study::Ending;
+use carom_study::{Dropped, Ending};
 
 /// Where the lower plate's line meets the upper one's normal and its axis, friction, the upper slope, and the way to the edge.
 pub(crate) fn layout(normal: f64, along: f64, friction: f64, slope: f64, to_edge: f64) -> Option<Feeder> {
@@ -42,16 +42,11 @@ pub(crate) fn feeder(point: &[f64]) -> Option<Feeder> {
     layout(at(0, 0.31, 0.37), at(1, 0.33, 0.37), at(2, 0.145, 0.155), at(3, 0.25, 0.27), at(4, 0.09, 0.11))
 }
 
-/// How a drop ends on the lower plate; `None` where there is none.
-pub(crate) fn ending(feeder: Option<&Feeder>) -> Option<Ending> {
-    let run = feeder?.prepare(Options::default()).ok()?.run_untraced().ok()?;
-    Some(Ending::of(&run, 1))
+/// How a drop ends on the lower plate.
+pub(crate) fn ending(feeder: Option<&Feeder>) -> Ending {
+    Dropped::of(feeder, 1, &Options::default()).ending
 }
 
 pub(crate) fn turns(run: &Run) -> bool {
     Ending::of(run, 1) == Ending::Lies(Verdict::Turned)
-}
-
-pub(crate) fn turned(feeder: Option<&Feeder>) -> bool {
-    ending(feeder) == Some(Ending::Lies(Verdict::Turned))
 }

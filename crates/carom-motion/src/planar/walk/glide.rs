@@ -86,7 +86,6 @@ impl<const B: usize> Walker<'_, B> {
     ) -> Result<Happening, MotionError> {
         match stop {
             Ok(Stop::Event { event, .. }) => {
-                self.states = self.projected(&self.states);
                 self.sample_here(observers);
                 self.report_piece(start_time, start, |b| self.piece_end(&event, b), observers);
                 self.resolve(&event, observers)

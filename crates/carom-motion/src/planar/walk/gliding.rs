@@ -194,12 +194,13 @@ impl<const B: usize> Course for Gliding<'_, '_, '_, '_, B> {
         &mut self,
         (y, f): (&Vector<B>, &Vector<B>),
         length: f64,
+        pace: &Pace<Vector<B>>,
     ) -> Result<(Step<Vector<B>>, f64), Lost> {
         if self.steady {
-            let length = length.min(self.walker.options.most_time - self.walker.time);
+            let length = length.min(pace.longest);
             return Ok((self.walker.steady_step(y, f, length), 2.0 * length));
         }
-        course::step(self, (y, f), length)
+        course::step(self, (y, f), length, pace)
     }
 
     fn tried(&mut self, (y, f): (&Vector<B>, &Vector<B>), length: f64) -> (Trial<Vector<B>>, bool) {
@@ -211,7 +212,7 @@ impl<const B: usize> Course for Gliding<'_, '_, '_, '_, B> {
         if self.steady {
             return steadily(&step.start, &step.start_rate, length).0;
         }
-        step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end
+        course::explicit_end(self, step, length)
     }
 
     fn passed(&mut self, step: Step<Vector<B>>) -> Vector<B> {

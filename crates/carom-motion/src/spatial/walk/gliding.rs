@@ -186,21 +186,26 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
         }
     }
 
-    fn step(&mut self, from: (&M::Y, &M::Y), length: f64) -> Result<(Step<M::Y>, f64), Lost> {
+    fn step(
+        &mut self,
+        from: (&M::Y, &M::Y),
+        length: f64,
+        pace: &Pace<M::Y>,
+    ) -> Result<(Step<M::Y>, f64), Lost> {
         if !self.walker.state.is_finite() {
             return Err(Lost::Number);
         }
-        let Pace { longest, tolerance, shortest, .. } = self.pace(from.0, from.1);
+        let Pace { longest, shortest, .. } = *pace;
         // Steps towards a stop that never comes, on a clock that stands: only what is left of the time may be as short.
         if longest < shortest && longest < self.walker.options.most_time - self.walker.time {
             self.arrive(from.0, self.elapsed);
             return Err(Lost::Short(longest));
         }
-        let made = if let Some(stiff) = self.motion.stiff_step(from, (length, longest), &tolerance) {
+        let made = if let Some(stiff) = self.motion.stiff_step(from, (length, longest), &pace.tolerance) {
             self.walker.effort.steps += 1;
             Ok(stiff)
         } else {
-            course::step(self, from, length)
+            course::step(self, from, length, pace)
         };
         match made {
             Ok((_, next)) => self.walker.length = next,
@@ -220,7 +225,7 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
 
     fn step_to(&mut self, step: &Step<M::Y>, length: f64) -> M::Y {
         let stiff = self.motion.stiff_end(step, length);
-        stiff.unwrap_or_else(|| step_plain(step.start, step.start_rate, length, |y| self.rate(y)).end)
+        stiff.unwrap_or_else(|| course::explicit_end(self, step, length))
     }
 
     fn passed(&mut self, step: Step<M::Y>) -> M::Y {

@@ -73,6 +73,9 @@ where
         let Some(stretch) = &mut self.place else { return Err(Lost::Number) };
         let event = self.walker.shortened(stretch, &mut self.list);
         self.walker.take(stretch, event.is_some(), self.observers);
+        if event.is_some() {
+            self.walker.states = self.walker.projected(&self.walker.states);
+        }
         Ok(event)
     }
 
