@@ -20,6 +20,7 @@ ANSWERS = {
     "contact": {"carom contact": "Contact"},
     "roll": {"RollReport": "PlanarRoll", "SpatialRollReport": "SpatialRoll", "PoseReport": "Throws"},
     "yield": {"carom yield": "Yield"},
+    "located": {"carom yield --locate": "Located"},
     "design": {"carom design": "Design"},
     "map": {"carom map": "Map"},
     "regions": {"carom regions": "Regions"},

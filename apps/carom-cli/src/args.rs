@@ -8,6 +8,7 @@ use crate::referee::{CasesOptions, JUDGE_HELP, JudgeOptions};
 use crate::schema::SchemaOptions;
 use crate::studio::StudioOptions;
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
+use carom::tasks::yields::LINES;
 use carom::tasks::{feeds::INTERVALS, tolerance};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -306,12 +307,15 @@ pub(crate) struct MapOptions {
     /// The plate to look at, by name or number from 0 [default: the last].
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
-    /// How finely boundaries are located, as a share of the axes.
-    #[arg(long, default_value_t = tolerance::MAP_ACCURACY, value_name = "SHARE")]
-    pub(crate) accuracy: f64,
+    /// How finely boundaries are located, as a share of the axes [default: 1e-7; with --cells a tenth of a cell].
+    #[arg(long, value_name = "SHARE")]
+    pub(crate) accuracy: Option<f64>,
     /// How often a cell is halved where something in it does not fit.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=8))]
     pub(crate) depth: u32,
+    /// Say how the drop at the middle of every cell ends as well: boundaries are followed on a grid eight times as coarse, and drops beside them.
+    #[arg(long)]
+    pub(crate) cells: bool,
 }
 
 #[derive(Args, Debug)]
@@ -325,6 +329,12 @@ pub(crate) struct YieldOptions {
     /// Independent random points in place of Sobol's: a check of them.
     #[arg(long)]
     pub(crate) plain: bool,
+    /// Locate where drops stop to end as wanted, and say nothing but how surely they do: to about a thousandth, for a hundredth of the drops.
+    #[arg(long, conflicts_with_all = ["samples", "open"])]
+    pub(crate) locate: bool,
+    /// With --locate: lines along which that is located; rounded up to 16 times a power of two.
+    #[arg(long, default_value_t = LINES, requires = "locate", value_parser = clap::value_parser!(u64).range(16..=1 << 18))]
+    pub(crate) lines: u64,
     /// What every random number comes from: the same seed gives the same result.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,

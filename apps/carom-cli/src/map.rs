@@ -17,6 +17,7 @@ pub(crate) fn map(options: &MapOptions, output: &Output, out: &mut impl Write) -
         plate: options.plate.as_deref(),
         accuracy: options.accuracy,
         depth: options.depth,
+        cells: options.cells,
         asker: Asker::Command,
     };
     let (scene, plate, plane) = asked.read(&Scene::read(&options.scene)?)?;
@@ -34,6 +35,12 @@ fn deliver(study: &MapStudy<'_>, seconds: f64, output: &Output, out: &mut impl W
     let mut written = files::write_drawing(&folder, "map", &study.map.svg())?;
     written.push(files::write(&folder, "map.csv", &study.csv())?);
     written.extend(files::write_table(&folder, "map.parquet", study.nodes())?);
+    if let Some((text, table)) = study.cells_csv().zip(study.cells_table()) {
+        written.push(files::write(&folder, "map-cells.csv", &text)?);
+        written.extend(files::write_table(&folder, "map-cells.parquet", table)?);
+    } else {
+        files::remove(&folder, &["map-cells.csv", "map-cells.parquet"])?;
+    }
     written.push(files::write(&folder, "map.json", &summary)?);
     match output.format {
         Format::Text => out.write_all(with_files(study.text(seconds), &written).as_bytes())?,

@@ -35,6 +35,8 @@ pub(crate) enum SchemaOf {
     Map,
     /// The result of `carom yield --format json`.
     Yield,
+    /// The result of `carom yield --locate --format json`.
+    Located,
     /// The runs of `carom fit`.
     Runs,
     /// The result of `carom fit --format json`.
@@ -78,6 +80,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Error => ("error", schemas::line_error()),
         SchemaOf::Map => ("map", schemas::map()),
         SchemaOf::Yield => ("yield", schemas::yields()),
+        SchemaOf::Located => ("located", schemas::located()),
         SchemaOf::Runs => ("runs", schemas::runs()),
         SchemaOf::Fit => ("fit", schemas::fit()),
         SchemaOf::Feed => ("feed", schemas::feed()),

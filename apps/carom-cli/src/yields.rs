@@ -5,9 +5,10 @@ mod report;
 use crate::args::{Format, Output, YieldOptions};
 use crate::failure::Failure;
 use crate::files;
+use crate::printed::with_files;
 use crate::progress::{Progress, spent};
 use carom::tasks::axes::{Asker, Complaints, plate};
-use carom::tasks::yields::{YieldStudy, is_of_a_drop};
+use carom::tasks::yields::{LocatedYield, YieldStudy, is_of_a_drop};
 use carom_scene::{Scene, Varied};
 use carom_study::yields::{Plan, Points, REPETITIONS};
 use std::io::Write;
@@ -20,10 +21,32 @@ pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Wri
     complaints.finish()?;
     let varied = scene.varied()?;
     let points = if options.plain { Points::Random } else { Points::Sobol };
-    let plan = YieldStudy::plan(&varied, options.samples, options.seed, points, plate);
+    let count = if options.locate { options.lines } else { options.samples };
+    let plan = YieldStudy::plan(&varied, count, options.seed, points, plate);
+    if options.locate {
+        return located(&varied, plan, output, out);
+    }
     let (studied, seconds) = studied(&varied, plan)?;
     let page = deliver(&studied, seconds, output, out)?;
     if options.open { files::open(&page) } else { Ok(()) }
+}
+
+/// Locates, and writes and says what came out.
+fn located(varied: &Varied<'_>, plan: Plan, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+    let progress = Progress::new("drops", None);
+    let name = varied.scene().name();
+    let found = LocatedYield::of(varied, plan, || progress.step())
+        .map_err(|error| Failure::Usage(format!("{name}: {error}")))?;
+    let seconds = progress.seconds();
+    drop(progress);
+    let summary = found.summary(spent(found.drops(), seconds));
+    let summary = format!("{}\n", serde_json::to_string_pretty(&summary)?);
+    let written = files::write(&output.folder(name), "yield-located.json", &summary)?;
+    match output.format {
+        Format::Text => out.write_all(with_files(found.text(seconds), &[written]).as_bytes())?,
+        Format::Json => out.write_all(summary.as_bytes())?,
+    }
+    Ok(())
 }
 
 /// The study, and how long it took [s].

@@ -127,6 +127,57 @@ fn a_map_is_the_same_on_any_number_of_threads() {
 }
 
 #[test]
+fn every_cell_of_a_map_ends_as_the_drop_at_its_middle() {
+    let axes = ["--x", "contact.friction=0.05..0.17:40", "--y", "start.to_edge=60..140 mm:40"];
+    let words =
+        |more: &[&'static str]| [&["map", "case_2.toml", "--format", "json"], &axes[..], more].concat();
+    let found = carom(&words(&["--cells"]), "cells", "2");
+    let drops = serde_json::from_str::<Value>(&found.out).unwrap()["run"]["drops"].as_u64().unwrap();
+    let found = result(&found);
+    assert!(drops < 40 * 40, "{drops} drops");
+    assert_eq!(found["axes"][0]["cells"], 5, "regions are sought on an eighth of the cells");
+    let text = std::fs::read_to_string(folder("cells").join("case_2/map-cells.csv")).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("contact.friction,start.to_edge [mm],ending"));
+    // The same places as a list of designs, each followed on its own.
+    let mut list = "contact.friction,start.to_edge\n".to_owned();
+    let cells: Vec<&str> = lines.map(|line| line.rsplit_once(',').unwrap().1).collect();
+    for line in text.lines().skip(1) {
+        let [x, y, _] = line.split(',').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        list += &format!("{x},{y} mm\n");
+    }
+    std::fs::write(folder("cells").join("list.csv"), list).unwrap();
+    let list = folder("cells").join("list.csv");
+    let words_of_list = ["sweep", "case_2.toml", "--format", "json", "--list", list.to_str().unwrap()];
+    fresh("cells_swept");
+    let swept = result(&carom(&words_of_list, "cells_swept", "2"));
+    for ending in found["cells"]["endings"].as_array().unwrap() {
+        let word = ending["ending"].as_str().unwrap();
+        assert_eq!(swept["endings"][word], ending["cells"], "each cell is what its own drop says");
+        let count = cells.iter().filter(|cell| **cell == word).count();
+        assert_eq!(count as u64, ending["cells"].as_u64().unwrap(), "{ending}");
+    }
+    assert_eq!(cells.len(), 40 * 40, "all cells");
+    // Without cells the files of another map are gone.
+    result(&carom(&words(&["--depth", "0"]), "cells", "2"));
+    assert!(!folder("cells").join("case_2/map-cells.csv").exists(), "cells of another map");
+}
+
+#[test]
+fn a_yield_is_located_where_samples_find_it() {
+    let words = ["yield", "designer.toml", "--locate", "--format", "json"];
+    let located = result(&carom(&words, "located", "1"));
+    assert_eq!(located, result(&carom(&words, "located", "3")), "whatever the threads");
+    let sampled = result(&carom(&["yield", "designer.toml", "--format", "json"], "sampled", "2"));
+    let [low, high] = ["low", "high"].map(|end| located["yield"][end].as_f64().unwrap());
+    let of_samples = ["low", "high"].map(|end| sampled["yield"][end].as_f64().unwrap());
+    assert!(high - low < 2e-3, "{low} to {high}");
+    assert!(low <= of_samples[1] && of_samples[0] <= high, "{low} to {high}, {of_samples:?}");
+    let said = carom(&["yield", "designer.toml", "--locate", "--lines", "8"], "located", "1");
+    assert_eq!(said.code, 2, "fewer lines than repetitions: {}", said.out);
+}
+
+#[test]
 fn what_is_wrong_with_a_study_is_said_at_once() {
     let map = ["map", "designer.toml", "--plate", "3", "--accuracy", "2", "--x", "plate.lower.slop=1..2 deg"];
     let said = carom(&[&map[..], &["--y", "contact.friction=-1..0.5:0"]].concat(), "bad", "1");

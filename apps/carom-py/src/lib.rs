@@ -62,7 +62,7 @@ mod _carom {
     #[pymodule_export]
     use crate::watch::use_threads;
     #[pymodule_export]
-    use crate::yields::{yield_joined, yield_portion, yields};
+    use crate::yields::{located, yield_joined, yield_portion, yields};
 
     /// The version of the engine.
     #[pymodule_export]

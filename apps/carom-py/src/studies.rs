@@ -42,8 +42,9 @@ pub(crate) struct Map {
     x: String,
     y: String,
     plate: Option<String>,
-    accuracy: f64,
+    accuracy: Option<f64>,
     depth: u32,
+    cells: bool,
 }
 
 /// What `carom map` says and writes.
@@ -55,15 +56,20 @@ pub(crate) fn map(
     asks: Map,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Tabled> {
-    let Map { x, y, plate, accuracy, depth } = &asks;
+    let Map { x, y, plate, accuracy, depth, cells } = &asks;
     let over = MapAsked::over([x, y], Asker::Call);
-    let map = MapAsked { plate: plate.as_deref(), accuracy: *accuracy, depth: *depth, ..over };
+    let map = MapAsked { plate: plate.as_deref(), accuracy: *accuracy, depth: *depth, cells: *cells, ..over };
     let (scene, plate, plane) = map.read(&scene.inner).map_err(|error| refused(py, &error))?;
     let (study, threads, begun) =
         asked(py, progress, |step| MapStudy::drawn(&scene, plate, plane, &map, step))?;
     let json = pretty(&study.summary(spent(study.map.map.drops, begun, threads)))?;
-    let files = named([("map.svg", study.map.svg()), ("map.csv", study.csv())]);
-    Ok((json, files, tables("map.parquet", study.nodes())))
+    let cells = study.cells_csv().map(|text| ("map-cells.csv", text));
+    let files = named([("map.svg", study.map.svg()), ("map.csv", study.csv())].into_iter().chain(cells));
+    let mut written = tables("map.parquet", study.nodes());
+    if let Some(table) = study.cells_table() {
+        written.extend(tables("map-cells.parquet", table));
+    }
+    Ok((json, files, written))
 }
 
 /// What is asked of a region diagram, as Python gives it: of a kind, or of an impact file, its name, its text and whether that is JSON.

@@ -5,7 +5,7 @@ use crate::failure::{of_fault, of_input, of_words};
 use crate::scene::Scene;
 use crate::watch::long;
 use carom::study::yields::{Contrasts, Plan, Points, Portion};
-use carom::tasks::yields::YieldStudy;
+use carom::tasks::yields::{LocatedYield, YieldStudy};
 use carom_scene::{StudyRunReport, Varied};
 use pyo3::prelude::*;
 use std::path::Path;
@@ -62,6 +62,25 @@ pub(crate) fn yields(
     })?;
     let study = study.map_err(|error| refused(py, scene)(&error))?;
     told(&study, spent(study.drops, begun, threads))
+}
+
+/// What `carom yield --locate` says and writes; `samples` are lines.
+#[pyfunction]
+#[pyo3(signature = (scene, asks, progress=None))]
+pub(crate) fn located(
+    py: Python<'_>,
+    scene: &Scene,
+    asks: Asks,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let (varied, plan) = planned(py, scene, &asks)?;
+    let begun = Instant::now();
+    let (found, threads) = long(py, None, progress, |watch| {
+        (LocatedYield::of(&varied, plan, || watch.step()), carom_study::threads())
+    })?;
+    let found = found.map_err(|error| refused(py, scene)(&error))?;
+    let json = pretty(&found.summary(spent(found.drops(), begun, threads)))?;
+    Ok((json, std::collections::BTreeMap::new()))
 }
 
 /// One portion of a yield, a number of how many, as bytes: its drops, or in the second round those that say what decides.

@@ -121,6 +121,14 @@ STUDIES: dict[str, tuple[list[str], Callable[[], Answer]]] = {
         ["map", "examples/case_2.toml", "--x", FRICTION, "--y", SLOPE, "--depth", "1"],
         lambda: carom.map("examples/case_2.toml", FRICTION, ("plate.0.slope", "9 deg", "25 deg", 12), depth=1),
     ),
+    "map with cells": (
+        ["map", "examples/case_2.toml", "--x", FRICTION, "--y", SLOPE, "--cells"],
+        lambda: carom.map("examples/case_2.toml", FRICTION, SLOPE, cells=True),
+    ),
+    "located yield": (
+        ["yield", "examples/designer.toml", "--locate", "--lines", "32"],
+        lambda: carom.locate_yield("examples/designer.toml", lines=32),
+    ),
     "regions": (
         ["regions", "cylinder", "--set", "inertia_ratio=0.5", "--x", "friction=0..1.5:12", "--y", "gamma=1..89 deg:12"],
         lambda: carom.regions("cylinder", ("friction", 0, 1.5, 12), "gamma=1..89 deg:12", set={"inertia_ratio": 0.5}),

@@ -4,6 +4,7 @@ use crate::approximation::Approximation;
 use crate::regions_report::{
     RegionsAxisReport, RegionsBoundaryReport, RegionsJunctionReport, RegionsLabelReport,
 };
+use crate::word::EndingWord;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -35,6 +36,26 @@ pub struct SpanReport {
     pub high: f64,
 }
 
+/// How many cells end in a way.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CellsEndingReport {
+    /// same side, turned, face and its number; else how a run ends that never lies on the plate.
+    pub ending: EndingWord,
+    /// Cells.
+    pub cells: usize,
+}
+
+/// The cells of a map: each ends as the drop at its middle does, which was followed or lies in a region whose boundaries were.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CellsReport {
+    /// Cells across.
+    pub columns: usize,
+    /// Cells up.
+    pub rows: usize,
+    /// How they end; all of them are in the table of cells.
+    pub endings: Vec<CellsEndingReport>,
+}
+
 /// The summary of an outcome map.
 ///
 /// # Example
@@ -48,7 +69,7 @@ pub struct SpanReport {
 /// let report = MapReport {
 ///     scene: "mine".into(), approximations: vec![], plate: "lower".into(), axes: [axis("start.to_edge"), axis("plate.lower.drop")],
 ///     accuracy_share: 1e-9, labels: vec![all], boundaries: vec![], junctions: vec![],
-///     impact_speed_m_s: Some(SpanReport { low: 1.0, high: 3.0 }), flat_s: None, unresolved_share: 0.0,
+///     impact_speed_m_s: Some(SpanReport { low: 1.0, high: 3.0 }), flat_s: None, unresolved_share: 0.0, cells: None,
 ///     run: StudyRunReport { drops: 25, seconds: 0.5, threads: 2 },
 /// };
 /// let json = serde_json::to_value(report)?;
@@ -81,6 +102,9 @@ pub struct MapReport {
     pub flat_s: Option<SpanReport>,
     /// Share of the plane that was not looked into: cells that hold more than was followed when they were as small as allowed.
     pub unresolved_share: f64,
+    /// A finer grid than that of the axes, every cell of which has its ending; absent where it was not asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cells: Option<CellsReport>,
     /// What it took.
     pub run: StudyRunReport,
 }

@@ -9,6 +9,7 @@ use crate::grammar::schema::{DIALECT, of_files};
 use crate::impact_report::ImpactAnswerReport;
 use crate::impact_space_report::SpatialImpactReport;
 use crate::line_error::LineError;
+use crate::located_report::LocatedReport;
 use crate::map_report::MapReport;
 use crate::part_throws::FacesReport;
 use crate::regions_report::RegionsReport;
@@ -123,6 +124,17 @@ pub fn map() -> Schema {
 /// ```
 pub fn yields() -> Schema {
     of::<YieldReport>()
+}
+
+/// Of the summary of a yield that was located.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::located().to_value();
+/// assert!(schema["properties"].as_object().unwrap().contains_key("yield"));
+/// ```
+pub fn located() -> Schema {
+    of::<LocatedReport>()
 }
 
 /// Of the summary of a fit.

@@ -18,7 +18,7 @@ from __future__ import annotations
 from carom._carom import __version__
 from carom._batch import impact_batch
 from carom._many import drops, impacts
-from carom._one import contact, design, impact, roll, run, studio, yield_
+from carom._one import contact, design, impact, locate_yield, roll, run, studio, yield_
 from carom._studies import feed, fit, map, regions
 from carom._sweep import sweep
 from carom._tosses import Tosses, tosses
@@ -28,6 +28,7 @@ from carom.answers.design import Design
 from carom.answers.feed import Feed
 from carom.answers.fit import Fit
 from carom.answers.impact import PlanarImpact, SpatialImpact
+from carom.answers.located import Located
 from carom.answers.map import Map
 from carom.answers.regions import Regions
 from carom.answers.roll import PlanarRoll, SpatialRoll
@@ -46,6 +47,7 @@ __all__ = [
     "Design",
     "Feed",
     "Fit",
+    "Located",
     "Map",
     "PlanarImpact",
     "PlanarRoll",
@@ -70,6 +72,7 @@ __all__ = [
     "impact",
     "impact_batch",
     "impacts",
+    "locate_yield",
     "map",
     "regions",
     "roll",

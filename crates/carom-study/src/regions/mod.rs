@@ -38,7 +38,7 @@ mod junction;
 mod lattice;
 mod nodes;
 mod patch;
-mod raster;
+pub(crate) mod raster;
 mod refine;
 
 pub use curve::{across, distance};

@@ -51,11 +51,28 @@ pub fn cells<L: Label>(
     classify: impl Fn(f64, f64) -> L + Sync,
 ) -> Result<Cells<L>, RegionsError> {
     check(x, y, &Options::default())?;
-    let coarse = |range: Range| Range { count: range.count.div_ceil(COARSENESS), ..range };
-    let accuracy = WITHIN / x.count.max(y.count) as f64;
-    let regions = find(coarse(x), coarse(y), &Options { accuracy, depth: DEPTH }, &classify)?;
-    let mut raster = Raster::of([x, y], &regions);
-    let mut evaluations = regions.evaluations;
+    let (coarse, options) = followed([x, y]);
+    let regions = find(coarse[0], coarse[1], &options, &classify)?;
+    let mut cells = filled([x, y], &regions, classify);
+    cells.evaluations += regions.evaluations;
+    Ok(cells)
+}
+
+/// The coarse grid on which regions are sought to fill a fine one, and how.
+pub(crate) fn followed(fine: [Range; 2]) -> ([Range; 2], Options) {
+    let accuracy = WITHIN / fine[0].count.max(fine[1].count) as f64;
+    let coarse = fine.map(|range| Range { count: range.count.div_ceil(COARSENESS), ..range });
+    (coarse, Options { accuracy, depth: DEPTH })
+}
+
+/// Fills a fine grid by regions that were [followed].
+pub(crate) fn filled<L: Label>(
+    fine: [Range; 2],
+    regions: &Regions<L>,
+    classify: impl Fn(f64, f64) -> L + Sync,
+) -> Cells<L> {
+    let mut raster = Raster::of(fine, regions);
+    let mut evaluations = 0;
     let mut open: Vec<usize> = (0..raster.asked.len()).filter(|cell| raster.asked[*cell]).collect();
     while !open.is_empty() {
         evaluations += open.len();
@@ -72,7 +89,7 @@ pub fn cells<L: Label>(
         open = surprising.into_iter().flat_map(|cell| raster.neighbours(cell)).collect();
         open.retain(|cell| !std::mem::replace(&mut raster.asked[*cell], true));
     }
-    Ok(Cells { labels: raster.labels.into_iter().flatten().collect(), evaluations })
+    Cells { labels: raster.labels.into_iter().flatten().collect(), evaluations }
 }
 
 /// The fine grid: what its regions say of each cell, and which cells have been asked, or will be.

@@ -5,19 +5,22 @@
 //! So the mean of the surface is taken, and the mean difference between lines and surface is added. The surface is fitted to the lines of other repetitions
 //! than those that it is compared with: a bad one biases nothing.
 //!
+//! A change is followed down to a short piece of its line, and one more drop, at a place drawn evenly in that piece, decides to which end of the piece the change is put.
+//! The lower the change lies, the more often it is the lower end: the mean over draws is where the change is, however long the piece.
+//!
 //! Each line is also checked at one place, drawn evenly along it. Where a drop there does not do what the line says, the difference counts. So what the
 //! nodes of lines do not see biases nothing either, on average over seeds. What no check meets is not in the interval: [`Located::unseen`] bounds it.
 
 use super::surface::Surface;
 use super::{Estimate, Plan, REPETITIONS, YieldError, wilson};
-use crate::stretches::{self, Stretches, find};
+use crate::stretches::{self, find};
 use carom_num::sobol::random;
 use rayon::prelude::*;
 
 /// Where lines are asked at first: at their ends but for a millionth, and between. At the very ends a quantity that is spread normally is infinite.
 const NODES: [f64; 5] = [1e-6, 0.25, 0.5, 0.75, 1.0 - 1e-6];
-/// How closely a change is located on a line.
-const WITHIN: f64 = 1.0 / 2048.0;
+/// How short the piece of a line is in which a change is left.
+const WITHIN: f64 = 1.0 / 128.0;
 /// Changes that are followed between two nodes.
 const MOST_CHANGES: usize = 4;
 /// Lines along each quantity that are asked at some nodes, to see which quantity decides.
@@ -33,7 +36,7 @@ const MOST_LINES: u64 = 1 << 14;
 /// See [`locate`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Located {
-    /// With what probability it ends as wanted. The interval counts what a change may be off its place; `count` is the number of lines.
+    /// With what probability it ends as wanted; `count` is the number of lines.
     pub wanted: Estimate,
     /// What of all lines may do something else than was seen, at most (Wilson, 95 %, two-sided): of so many checks so many did not do what their line says. With `n` checks and no surprise it is
     /// about 3.8/n.
@@ -44,13 +47,12 @@ pub struct Located {
     pub drops: u64,
 }
 
-/// One line: where it lies, the share of it that is wanted, its only change (and whether what is below it is wanted), how far changes may be off their places, and drops.
+/// One line: where it lies, the share of it that is wanted, about where its only change is (and whether what is below it is wanted), and drops.
 #[derive(Clone, Debug, Default)]
 struct Line {
     others: Vec<f64>,
     share: f64,
     change: Option<(f64, bool)>,
-    off: f64,
     /// Whether it was checked, and whether the check surprised.
     check: Option<bool>,
     drops: u64,
@@ -60,7 +62,7 @@ struct Line {
 /// should.
 ///
 /// # Limits
-/// The interval is Student's over the repetitions, with half of the width to which changes are located on both sides. It does not hold what neither nodes nor checks see: a window of
+/// The interval is Student's over the repetitions. It does not hold what neither nodes nor checks see: a window of
 /// a hundredth of each line, between nodes, is met by none of 16 checks in 85 of 100 seeds. At most 2¹⁴ lines in a repetition.
 ///
 /// # Errors
@@ -85,7 +87,8 @@ pub fn locate(plan: &Plan, wanted: impl Fn(&[f64]) -> bool + Sync) -> Result<Loc
     let sets: Vec<_> = (0..REPETITIONS).filter_map(|repetition| plan.points(repetition)).collect();
     let one = |number: u64| {
         let points = sets.get((number / lines) as usize)?;
-        Some(Line::of(points(number % lines), along, &wanted))
+        let draw = |change: usize| random(plan.seed, number, plan.dimensions + change);
+        Some(Line::of(points(number % lines), along, draw, &wanted))
     };
     let found: Vec<Line> = (0..plan.drops())
         .into_par_iter()
@@ -103,15 +106,7 @@ pub fn locate(plan: &Plan, wanted: impl Fn(&[f64]) -> bool + Sync) -> Result<Loc
     };
     let each: Vec<f64> = repetitions.par_iter().enumerate().panic_fuse().map(differs).collect();
     let share = each.iter().sum::<f64>() / each.len() as f64;
-    let off = found.iter().map(|line| line.off).sum::<f64>() / found.len() as f64;
-    let spread = Estimate::about(share, &each);
-    let within = |share: f64| share.clamp(0.0, 1.0);
-    let wanted = Estimate {
-        share: within(share),
-        low: within(spread.low - off).min(within(share)),
-        high: within(spread.high + off).max(within(share)),
-        count: found.len() as u64,
-    };
+    let wanted = Estimate { count: found.len() as u64, ..Estimate::about(share.clamp(0.0, 1.0), &each) };
     let checks = found.iter().filter_map(|line| line.check);
     let (checked, surprises) =
         (checks.clone().count() as f64, checks.filter(|surprises| *surprises).count() as f64);
@@ -151,8 +146,13 @@ fn decisive(plan: &Plan, wanted: &(impl Fn(&[f64]) -> bool + Sync)) -> (usize, u
 }
 
 impl Line {
-    /// The line through a point, along one quantity, where that point is the check.
-    fn of(point: Vec<f64>, along: usize, wanted: &(impl Fn(&[f64]) -> bool + Sync)) -> Self {
+    /// The line through a point, along one quantity, where that point is the check. `draw` gives a number in (0, 1) for each change.
+    fn of(
+        point: Vec<f64>,
+        along: usize,
+        draw: impl Fn(usize) -> f64,
+        wanted: &(impl Fn(&[f64]) -> bool + Sync),
+    ) -> Self {
         let at = |place: f64| {
             let mut moved = point.clone();
             moved[along] = place;
@@ -160,41 +160,33 @@ impl Line {
         };
         let options = stretches::Options { accuracy: WITHIN, most: MOST_CHANGES };
         let found = find(&NODES, options, at, |label| *label);
+        let pieces = &found.pieces;
         let others: Vec<f64> =
             point.iter().enumerate().filter(|(k, _)| *k != along).map(|(_, u)| *u).collect();
-        let parts = parts(&found);
-        let change = if let [below, above] = parts[..] { Some((above.0, below.2)) } else { None };
-        let drops = found.evaluations as u64;
-        let mut line = Self { others, share: 0.0, change, off: 0.0, check: None, drops };
-        for (from, to, label, [before, after]) in parts {
-            let share = to - from;
-            line.share += if label { share } else { 0.0 };
-            line.off += 0.5 * before;
-            // Within the width to which a change was located the check says nothing new.
-            let located = |gap: f64| if gap <= WITHIN { 0.5 * gap } else { 0.0 };
-            let check = point[along];
-            if from + located(before) <= check && check < to - located(after) {
+        let change = match pieces.as_slice() {
+            [below, above] => Some((0.5 * (below.last + above.first), below.label)),
+            _ => None,
+        };
+        let mut line = Self { others, share: 0.0, change, check: None, drops: found.evaluations as u64 };
+        let whole = |is: bool| f64::from(u8::from(is));
+        for (k, piece) in pieces.iter().enumerate() {
+            // The ends of the line belong to the pieces there.
+            let from = if k == 0 { 0.0 } else { piece.first };
+            let to = if k + 1 == pieces.len() { 1.0 } else { piece.last };
+            line.share += whole(piece.label) * (to - from);
+            if (from..=to).contains(&point[along]) {
                 let does = wanted(&point);
                 line.drops += 1;
-                line.check = Some(does != label);
-                line.share += f64::from(u8::from(does)) - f64::from(u8::from(label));
+                line.check = Some(does != piece.label);
+                line.share += whole(does) - whole(piece.label);
+            }
+            // One drop speaks for all of the gap before the next piece.
+            if let Some(next) = pieces.get(k + 1) {
+                let gap = next.first - piece.last;
+                line.drops += 1;
+                line.share += whole(at(piece.last + gap * draw(k))) * gap;
             }
         }
         line
     }
-}
-
-/// The pieces of a line, each from the middle of a change to the middle of the next, with its label and the widths to which the changes before and after it
-/// are known.
-fn parts(found: &Stretches<bool>) -> Vec<(f64, f64, bool, [f64; 2])> {
-    let pieces = &found.pieces;
-    // The change before a piece: its middle, and its width.
-    let change =
-        |k: usize| (0.5 * (pieces[k - 1].last + pieces[k].first), pieces[k].first - pieces[k - 1].last);
-    let part = |k: usize| {
-        let (from, before) = if k == 0 { (0.0, 0.0) } else { change(k) };
-        let (to, after) = if k + 1 == pieces.len() { (1.0, 0.0) } else { change(k + 1) };
-        (from, to, pieces[k].label, [before, after])
-    };
-    (0..pieces.len()).map(part).collect()
 }

@@ -1,8 +1,10 @@
 //! How a drop of a scene ends over two of its quantities: the study of `carom map`.
 
+mod cells;
 mod report;
 mod study;
 
+pub use cells::MapCells;
 pub use study::{MapAsked, MapStudy};
 
 use carom_feeder::{Feeder, Verdict};
@@ -10,8 +12,8 @@ use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions, regions_
 use carom_scene::unit::Unit;
 use carom_scene::{Problems, Scene, Want, labelled};
 use carom_study::Ending;
-use carom_study::map::{Map, Node, draw_knowing, explore};
-use carom_study::regions::{Options, Range, RegionsError};
+use carom_study::map::{Map, Node, draw_cells, draw_knowing, explore};
+use carom_study::regions::{Cells, Options, Range, RegionsError};
 use carom_words::{part, study as words};
 
 /// An axis of a map.
@@ -109,6 +111,23 @@ impl<'s> OutcomeMap<'s> {
         let feeder = feeder(scene, &axes, step)?;
         let map = draw_knowing(axes.each_ref().map(|axis| axis.range), &options, plate, feeder, known)?;
         Ok(Self { scene, plate, axes, map })
+    }
+
+    /// As [`OutcomeMap::drawn`], and how the drop at the middle of every cell of these axes ends; the map has an eighth of the cells, across and up.
+    ///
+    /// # Errors
+    /// See [`MapError`].
+    pub fn with_cells(
+        scene: &'s Scene,
+        plate: usize,
+        axes: [MapAxis; 2],
+        options: Options,
+        step: impl Fn() + Sync,
+    ) -> Result<(Self, Cells<Ending>), MapError> {
+        let feeder = feeder(scene, &axes, step)?;
+        let ranges = axes.each_ref().map(|axis| axis.range);
+        let (map, cells) = draw_cells(ranges, &options, plate, feeder)?;
+        Ok((Self { scene, plate, axes, map }, cells))
     }
 
     /// The drops of one band of the plane, `number` of `of` from 0, for a machine of its own; `step` is called after each.

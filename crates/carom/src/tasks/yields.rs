@@ -1,7 +1,10 @@
 //! How surely a drop of a scene ends as wanted: the study of `carom yield`.
 
+mod located;
 mod page;
 mod report;
+
+pub use located::{LINES, LocatedYield};
 
 use super::wants;
 use carom_feeder::{Feeder, Run};
@@ -165,13 +168,7 @@ impl<'s> YieldStudy<'s> {
 
     /// What is wanted, in words.
     pub fn wanted(&self) -> String {
-        wants(self.scene).unwrap_or_else(|| {
-            format!(
-                "{} on \"{}\", as it ends where nothing varies",
-                study::ending(self.middle),
-                self.plate_label()
-            )
-        })
+        wanted(self.scene, self.plan.plate, self.middle)
     }
 
     /// The plate on which endings are told apart.
@@ -227,6 +224,14 @@ fn middle(scene: &Scene, plan: &Plan) -> Ending {
 /// What a layout must keep besides, where the scene says so of a drop.
 fn limits(scene: &Scene) -> Option<Limits> {
     scene.design().map(|design| design.limits()).filter(Limits::are_of_drops)
+}
+
+/// What is wanted, in words.
+fn wanted(scene: &Scene, plate: usize, middle: Ending) -> String {
+    wants(scene).unwrap_or_else(|| {
+        let (ending, plate) = (study::ending(middle), part::obstacle(scene.feeder(), plate));
+        format!("{ending} on \"{plate}\", as it ends where nothing varies")
+    })
 }
 
 /// Whether a drop ends as the scene wants, or else as the middle of all tolerances does.

@@ -17,6 +17,30 @@ from carom.answers.shared import (
 
 
 @dataclass(frozen=True, kw_only=True)
+class CellsEnding:
+    """How many cells end in a way."""
+
+    cells: int
+    """Cells."""
+    ending: str
+    """same side, turned, face and its number; else how a run ends that never lies on the plate."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cells:
+    """The cells of a map: each ends as the drop at its middle does, which was followed or lies in a region whose
+    boundaries were.
+    """
+
+    columns: int
+    """Cells across."""
+    endings: list[CellsEnding]
+    """How they end; all of them are in the table of cells."""
+    rows: int
+    """Cells up."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Span:
     """The lowest and the highest of a measure among the nodes of a map."""
 
@@ -38,6 +62,8 @@ class Map(Answer):
     """Abscissa and ordinate."""
     boundaries: list[RegionsBoundary]
     """The boundaries between them."""
+    cells: Cells | None = None
+    """A finer grid than that of the axes, every cell of which has its ending; absent where it was not asked for."""
     flat_s: Span | None = None
     """When the part first lies flat on the plate, over the nodes [s]."""
     impact_speed_m_s: Span | None = None

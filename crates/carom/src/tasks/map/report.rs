@@ -1,14 +1,14 @@
 //! What an outcome map says in words, as tables and as JSON.
 
-use super::{MapStudy, name};
+use super::{MapCells, MapStudy, name};
 use crate::tasks::axes::Axis;
 use crate::tasks::regions::report::{axis, boundaries, junctions, labels};
 use crate::tasks::tolerance::ON_A_LINE;
 use carom_figure::regions_csv;
 use carom_scene::columns::{Column, ColumnsError, Table};
-use carom_scene::{MapReport, SpanReport, StudyRunReport};
+use carom_scene::{MapReport, RegionsAxisReport, SpanReport, StudyRunReport};
 use carom_study::map::Node;
-use carom_words::number::ascii as fixed;
+use carom_words::number::{ascii as fixed, plain};
 use carom_words::{aligned, part, study};
 use std::fmt::Write as _;
 
@@ -20,26 +20,36 @@ impl MapStudy<'_> {
         let plate = part::obstacle(drawn.map.scene.feeder(), drawn.map.plate);
         let mut text = format!("{}: how a drop ends on \"{plate}\"\n\n", drawn.map.scene.name());
         let mut rows = vec![["outcome", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
+        let cells = self.cells.as_ref();
+        rows[0].extend(cells.map(|_| "cells".to_owned()));
         // An outcome at equality fills a line and no region.
         let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > ON_A_LINE);
         rows.extend(seen.map(|share| {
             let name = name(share.label);
-            vec![
+            let mut row = vec![
                 name.short,
                 drawn.map.words(share.label),
                 fixed(100.0 * share.area, 2),
                 share.nodes.to_string(),
-            ]
+            ];
+            row.extend(cells.map(|cells| cells.of(share.label).to_string()));
+            row
         }));
         text += &aligned(&rows);
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "\n{} boundaries, {} points where three or more outcomes meet, located to {:e} of the axes",
+            "\n{} boundaries, {} points where three or more outcomes meet, located to {} of the axes",
             regions.boundaries.len(),
             regions.junctions.len(),
-            drawn.accuracy
+            plain(drawn.accuracy, 2)
         );
+        if let Some([columns, rows]) = cells.map(MapCells::counts) {
+            let _ = writeln!(
+                text,
+                "{columns} × {rows} cells, each by the drop at its middle or by the region it lies in"
+            );
+        }
         if let Some(speed) = span(drawn, |node| node.impact_speed) {
             let _ = writeln!(text, "strikes \"{plate}\" at {:.3} to {:.3} m/s", speed.low, speed.high);
         }
@@ -63,7 +73,11 @@ impl MapStudy<'_> {
             scene: drawn.map.scene.name().to_owned(),
             approximations: drawn.map.scene.approximations().to_vec(),
             plate: drawn.map.scene.feeder().plates[drawn.map.plate].name.clone(),
-            axes: [0, 1].map(|k| axis(&drawn.plane.axes[k], &drawn.plane.keys)),
+            axes: [0, 1].map(|k| RegionsAxisReport {
+                // With cells, regions are sought on a coarser grid than the axes say.
+                cells: [regions.x, regions.y][k].count,
+                ..axis(&drawn.plane.axes[k], &drawn.plane.keys)
+            }),
             accuracy_share: drawn.accuracy,
             labels: labels(regions, &name),
             boundaries: boundaries(regions, &word),
@@ -71,18 +85,23 @@ impl MapStudy<'_> {
             impact_speed_m_s: span(drawn, |node| node.impact_speed),
             flat_s: span(drawn, |node| node.flat),
             unresolved_share: regions.crowded,
+            cells: self.cells.as_ref().map(MapCells::report),
             run,
         }
     }
 
     /// The boundaries as CSV, with axes as the picture has them.
     pub fn csv(&self) -> String {
-        let [x, y] = [0, 1].map(|k| {
-            let axis = &self.plane.axes[k];
+        let [x, y] = self.headings();
+        regions_csv(&self.map.map.regions, [&x, &y], &name)
+    }
+
+    /// How the axes are called in tables that have their units.
+    pub(super) fn headings(&self) -> [String; 2] {
+        self.plane.axes.each_ref().map(|axis| {
             let path = &self.plane.keys[axis.key].name;
             if axis.unit().is_empty() { path.clone() } else { format!("{path} [{}]", axis.unit()) }
-        });
-        regions_csv(&self.map.map.regions, [&x, &y], &name)
+        })
     }
 
     /// What every node of the grid measures, as Parquet.
@@ -93,17 +112,32 @@ impl MapStudy<'_> {
         let nodes = &self.map.map.nodes;
         let number = |of: &dyn Fn(&Node) -> Option<f64>| Column::Number(nodes.iter().map(of).collect());
         let [x, y] = &self.plane.axes;
-        let path = |axis: &Axis| self.plane.keys[axis.key].name.as_str();
-        let columns = [
-            (path(x), number(&|node| Some(x.si(node.x)))),
-            (path(y), number(&|node| Some(y.si(node.y)))),
-            ("ending", Column::Word(nodes.iter().map(|node| Some(study::ending(node.ending))).collect())),
-            ("impact_speed_m_s", number(&|node| node.impact_speed)),
-            ("flat_s", number(&|node| node.flat)),
-            ("margin", number(&|node| node.margin)),
+        let measured = vec![
+            ("ending", "", Column::Word(nodes.iter().map(|node| Some(study::ending(node.ending))).collect())),
+            ("impact_speed_m_s", "m/s", number(&|node| node.impact_speed)),
+            ("flat_s", "s", number(&|node| node.flat)),
+            ("margin", "", number(&|node| node.margin)),
         ];
-        let si = |axis: &Axis| self.plane.keys[axis.key].dimension.si();
-        let units = [si(x), si(y), "", "m/s", "s", ""];
+        self.table([number(&|node| Some(x.si(node.x))), number(&|node| Some(y.si(node.y)))], measured)
+    }
+
+    /// A table of places in SI and of what there is at them: a name, a unit and a column each.
+    pub(super) fn table(
+        &self,
+        places: [Column; 2],
+        found: Vec<(&str, &str, Column)>,
+    ) -> Result<Vec<u8>, ColumnsError> {
+        let key = |axis: &Axis| &self.plane.keys[axis.key];
+        let mut columns = vec![];
+        let mut units = vec![];
+        for (axis, place) in self.plane.axes.iter().zip(places) {
+            columns.push((key(axis).name.as_str(), place));
+            units.push(key(axis).dimension.si());
+        }
+        for (name, unit, column) in found {
+            columns.push((name, column));
+            units.push(unit);
+        }
         let about = [
             ("scene", self.map.scene.source()),
             ("plate", &self.map.scene.feeder().plates[self.map.plate].name),

@@ -1,10 +1,11 @@
 //! A map as it is asked for: axes and settings in words.
 
-use super::{MapError, OutcomeMap};
+use super::{MapCells, MapError, OutcomeMap};
 use crate::tasks::StudyError;
 use crate::tasks::axes::{Asker, Complaints, Plane, keys, named, plate, read};
 use carom_scene::Scene;
-use carom_study::regions::{LEAST_ACCURACY, Options};
+use carom_study::map::cells_options;
+use carom_study::regions::{LEAST_ACCURACY, Options, Range};
 
 /// What is asked of a map.
 ///
@@ -23,10 +24,12 @@ pub struct MapAsked<'a> {
     pub set: &'a [String],
     /// The plate to look at, by name or number from 0; the last where none is named.
     pub plate: Option<&'a str>,
-    /// How finely boundaries are located, as a share of the axes.
-    pub accuracy: f64,
+    /// How finely boundaries are located, as a share of the axes; where nothing is said 10⁻⁷, or with `cells` a tenth of a cell.
+    pub accuracy: Option<f64>,
     /// How often a cell is halved where something in it does not fit.
     pub depth: u32,
+    /// Whether to say how the drop at the middle of every cell ends.
+    pub cells: bool,
     /// Who asks.
     pub asker: Asker,
 }
@@ -34,8 +37,17 @@ pub struct MapAsked<'a> {
 impl<'a> MapAsked<'a> {
     /// What is asked where nothing but the axes is said.
     pub fn over(axes: [&'a str; 2], asker: Asker) -> Self {
-        let accuracy = crate::tasks::tolerance::MAP_ACCURACY;
-        Self { axes, set: &[], plate: None, accuracy, depth: 3, asker }
+        Self { axes, set: &[], plate: None, accuracy: None, depth: 3, cells: false, asker }
+    }
+
+    /// How carefully to look over these ranges: cells need boundaries to a tenth of one.
+    fn options(&self, ranges: [Range; 2]) -> Options {
+        let cells = self.cells.then(|| cells_options(ranges).accuracy);
+        let accuracy = match (self.accuracy, cells) {
+            (Some(asked), Some(needed)) => asked.min(needed),
+            (asked, needed) => asked.or(needed).unwrap_or(crate::tasks::tolerance::MAP_ACCURACY),
+        };
+        Options { accuracy, depth: self.depth }
     }
 
     /// The scene as it is set, the number of the plate, and the plane over it.
@@ -47,8 +59,8 @@ impl<'a> MapAsked<'a> {
         let plate = plate(scene, self.plate, &mut complaints);
         let [x, y] = self.axes.map(|axis| named(scene, axis));
         let set: Vec<String> = self.set.iter().map(|set| named(scene, set)).collect();
-        if !(LEAST_ACCURACY..=0.1).contains(&self.accuracy) {
-            complaints.push("accuracy", format!("{} is outside {LEAST_ACCURACY} to 0.1", self.accuracy));
+        if let Some(accuracy) = self.accuracy.filter(|accuracy| !(LEAST_ACCURACY..=0.1).contains(accuracy)) {
+            complaints.push("accuracy", format!("{accuracy} is outside {LEAST_ACCURACY} to 0.1"));
         }
         let plane = read(keys(scene, self.asker), &set, [&x, &y], &mut complaints);
         complaints.finish()?;
@@ -84,6 +96,8 @@ pub struct MapStudy<'s> {
     pub plane: Plane,
     /// How finely boundaries are located, as a share of the axes.
     pub accuracy: f64,
+    /// How the drop at the middle of every cell ends, where that was asked.
+    pub cells: Option<MapCells>,
 }
 
 impl<'s> MapStudy<'s> {
@@ -99,12 +113,18 @@ impl<'s> MapStudy<'s> {
         step: impl Fn() + Sync,
     ) -> Result<Self, StudyError> {
         let axes = plane.axes.each_ref().map(|axis| axis.of_map(&plane.keys));
-        let options = Options { accuracy: asked.accuracy, depth: asked.depth };
-        let map = OutcomeMap::drawn(scene, plate, axes, options, &[], step);
-        let map = map.map_err(|error| match error {
+        let ranges = axes.each_ref().map(|axis| axis.range);
+        let options = asked.options(ranges);
+        let drawn = if asked.cells {
+            let found = OutcomeMap::with_cells(scene, plate, axes, options, step);
+            found.map(|(map, cells)| (map, Some(MapCells { ranges, labels: cells.labels })))
+        } else {
+            OutcomeMap::drawn(scene, plate, axes, options, &[], step).map(|map| (map, None))
+        };
+        let (map, cells) = drawn.map_err(|error| match error {
             MapError::Scene(problems) => StudyError::from(problems),
             MapError::Regions(error) => StudyError::Asked(error.to_string()),
         })?;
-        Ok(Self { map, plane, accuracy: asked.accuracy })
+        Ok(Self { map, plane, accuracy: options.accuracy, cells })
     }
 }

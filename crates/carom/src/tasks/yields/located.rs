@@ -1,0 +1,121 @@
+//! How surely a drop ends as wanted, by where drops stop to end so: the study of `carom yield --locate`.
+
+use super::{limits, met, middle, wanted};
+use carom_feeder::Run;
+use carom_motion::planar::Options;
+use carom_scene::{LocatedReport, LocatedShareReport, Scene, StudyRunReport, Varied, labelled};
+use carom_study::yields::{Located, Plan, YieldError, locate};
+use carom_study::{Dropped, Ending};
+use carom_words::study::percent;
+use std::fmt::Write as _;
+
+/// Lines along which the boundary is located where nothing else is said.
+pub const LINES: u64 = 128;
+
+/// A yield that was located and what it is of.
+///
+/// # Example
+/// ```
+/// use carom::{prelude::*, tasks::yields::{LINES, LocatedYield, YieldStudy}};
+/// use carom::study::yields::Points;
+/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+/// let varied = scene.varied()?;
+/// let plan = YieldStudy::plan(&varied, LINES, 1, Points::Sobol, 1);
+/// let found = LocatedYield::of(&varied, plan, || {}).unwrap();
+/// assert!(found.wanted.wanted.share > 0.99 && found.drops() < 2000);
+/// assert!(found.text(0.1).contains("end as wanted"));
+/// # Ok::<(), carom::Error>(())
+/// ```
+pub struct LocatedYield<'s> {
+    /// With its tolerances.
+    pub varied: &'s Varied<'s>,
+    /// How it was sought: `samples` are the lines of a repetition.
+    pub plan: Plan,
+    /// What is wanted of the plate where the scene says nothing: as the drop of the middle of all tolerances ends.
+    pub middle: Ending,
+    /// How surely a drop ends as wanted.
+    pub wanted: Located,
+    /// How surely it keeps the limits of `[design]` as well; `None` where there are none.
+    pub kept: Option<Located>,
+}
+
+impl<'s> LocatedYield<'s> {
+    /// Locates as planned; `step` is called after each drop.
+    ///
+    /// # Errors
+    /// A plan that cannot be followed.
+    pub fn of(varied: &'s Varied<'s>, plan: Plan, step: impl Fn() + Sync) -> Result<Self, YieldError> {
+        let scene = varied.scene();
+        let middle = middle(scene, &plan);
+        let share = |also: &(dyn Fn(&Run) -> bool + Sync)| {
+            locate(&plan, |point| {
+                let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &Options::default());
+                step();
+                dropped.run.is_some_and(|run| met(scene, plan.plate, middle, &run) && also(&run))
+            })
+        };
+        let wanted = share(&|_| true)?;
+        let kept = limits(scene).map(|limits| share(&|run| limits.keeps(run))).transpose()?;
+        Ok(Self { varied, plan, middle, wanted, kept })
+    }
+
+    /// Drops in all.
+    pub fn drops(&self) -> usize {
+        (self.wanted.drops + self.kept.map_or(0, |kept| kept.drops)) as usize
+    }
+
+    /// What it says to a person.
+    pub fn text(&self, seconds: f64) -> String {
+        let (scene, lines) = (self.varied.scene(), self.wanted.wanted.count);
+        let [share, interval] = percent(&self.wanted.wanted);
+        let wanted = wanted(scene, self.plan.plate, self.middle);
+        let mut text = format!("{}: {share} % end as wanted ({interval}): {wanted}\n", scene.name());
+        if let Some(kept) = &self.kept {
+            let [share, interval] = percent(&kept.wanted);
+            text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");
+        }
+        let along = self.path(&self.wanted);
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "\nlocated along {lines} lines of {}, where drops stop to end as wanted",
+            labelled(&along)
+        );
+        let _ = writeln!(
+            text,
+            "one more drop on each line checked it: at most {:.1} % of all drops may end otherwise than their line says, and what no check met is not in the interval",
+            100.0 * self.wanted.unseen
+        );
+        let _ = writeln!(text, "{} drops, seed {}, {seconds:.2} s\n", self.drops(), self.plan.seed);
+        text
+    }
+
+    /// What it says to a program; `run` says what it took.
+    pub fn summary(&self, run: StudyRunReport) -> LocatedReport {
+        let scene: &Scene = self.varied.scene();
+        let share = |found: &Located| LocatedShareReport {
+            share: found.wanted.share,
+            low: found.wanted.low,
+            high: found.wanted.high,
+            lines: found.wanted.count,
+            unseen_share: found.unseen,
+            along: self.path(found),
+        };
+        LocatedReport {
+            scene: scene.name().to_owned(),
+            approximations: scene.approximations().to_vec(),
+            notes: scene.notes().to_vec(),
+            plate: scene.feeder().plates[self.plan.plate].name.clone(),
+            wanted: wanted(scene, self.plan.plate, self.middle),
+            located: share(&self.wanted),
+            yield_within_limits: self.kept.as_ref().map(share),
+            seed: self.plan.seed,
+            run,
+        }
+    }
+
+    /// The quantity along which a boundary was located.
+    fn path(&self, found: &Located) -> String {
+        self.varied.paths().swap_remove(found.along)
+    }
+}
