@@ -11,8 +11,8 @@
 mod paper;
 
 use carom_feeder::{Run, Stage, StageName, Verdict};
-use carom_motion::planar::State;
 use carom_motion::planar::trace::PieceEnd;
+use carom_motion::planar::{ChainPoint, State};
 use carom_num::Vec2;
 use serde_json::Value;
 
@@ -145,6 +145,34 @@ fn both_cases_agree_to_eight_digits() {
         compare_flight_and_impact(&mut c, &run, slope_deg, reference);
         compare_after(&mut c, &run, reference);
         println!("{name}: {} numbers, worst relative difference {:.1e}", c.count, c.worst);
+    }
+}
+
+/// A rod without thickness on a plate that has none either, and is bent above where the rod starts, does what it does on a straight one: it lies on the side on which it
+/// starts, whatever rounding says of the other.
+#[test]
+fn a_rod_on_a_bent_plate_keeps_to_its_side() {
+    for slope_deg in [10.0, 12.3, 15.0, 19.1, 22.2, 28.0, 32.5] {
+        let straight = paper::feeder(slope_deg, (0.428, 0.3), 0.0);
+        let expected = straight.run().unwrap();
+        for turn in [-0.4, -0.05, 0.05, 0.4] {
+            let mut bent = straight.clone();
+            let upper = &mut bent.plates[0];
+            let (kink, edge) = (upper.uphill, upper.edge);
+            upper.uphill = kink + {
+                let way = Vec2::at_angle(turn);
+                (kink - edge).rotated(way.x, way.y)
+            };
+            upper.form.course = [upper.uphill, kink, edge].map(ChainPoint::straight).into();
+            upper.unbounded = false;
+            let run = bent.run().unwrap();
+            let stages = |run: &Run| run.stages.iter().map(|stage| stage.name).collect::<Vec<_>>();
+            assert_eq!(stages(&run), stages(&expected), "{slope_deg}°, bent by {turn}");
+            for (stage, expected) in run.stages.iter().zip(&expected.stages) {
+                let off = (stage.end_time - expected.end_time).abs();
+                assert!(off <= BAR, "{slope_deg}°, bent by {turn}: {:?} ends {off:e} s off", stage.name);
+            }
+        }
     }
 }
 

@@ -27,6 +27,17 @@ pub(in crate::planar) struct Moves {
     pub(in crate::planar) spin: [f64; 2],
 }
 
+/// How exactly a pair is asked about.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::planar) struct Exactness {
+    /// Overlap up to this depth counts as apart [m].
+    pub(in crate::planar) allowance: f64,
+    /// How well places are known [m].
+    pub(in crate::planar) exact: f64,
+    /// The body is known to be behind what the pair touches from the front, whatever rounding says.
+    pub(in crate::planar) behind: bool,
+}
+
 /// How far a pair of features is from touching [m], and a time for which it certainly does not touch [s].
 #[derive(Clone, Copy, Debug)]
 pub(in crate::planar) struct Clearance {
@@ -45,20 +56,22 @@ impl Clearance {
 }
 
 impl World {
-    /// The clearance of a pair of features. Overlap up to `allowance` [m] counts as apart; `exact` is how well places are known [m].
+    /// The clearance of a pair of features.
     pub(in crate::planar) fn clearance_of(
         &self,
         (states, turns): (&[State], &[Turn]),
         pair: Pairing,
         moves: &Moves,
-        (allowance, exact): (f64, f64),
+        Exactness { allowance, exact, behind }: Exactness,
     ) -> Clearance {
         let k = self.kinematics_turned(states, turns, pair);
         let mut out = Clearance { distance: f64::NEG_INFINITY, safe: 0.0 };
         let bends = self.bends((states, turns), (pair, k.normal), moves);
         let gap = k.gap + allowance;
-        // What is hardly behind has come there by rounding: it touches.
-        if gap > -CLEAR_GAP * self.body_of(pair).shape.size() {
+        // What is hardly behind has come there by rounding: it touches, unless it is known to be there.
+        if behind {
+            out.fails(allowance - k.gap, -k.approach, bends.closing);
+        } else if gap > -CLEAR_GAP * self.body_of(pair).shape.size() {
             out.fails(gap, k.approach, bends.opening);
         } else {
             out.fails(-gap, -k.approach, bends.closing);

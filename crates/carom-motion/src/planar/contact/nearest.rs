@@ -6,17 +6,20 @@ use crate::planar::geometry::State;
 use crate::tolerance::FEATURE_SLACK;
 
 impl World {
-    /// The pair of features of a body and what it meets that is nearest to touching.
+    /// The pair of features of a body and what it meets that is nearest to touching. `left`: on which side of what it meets the body is, where that is
+    /// known.
     pub(in crate::planar) fn nearest<const B: usize>(
         &self,
         states: &[State; B],
         meeting: (usize, usize),
+        left: Option<bool>,
     ) -> Option<Pairing> {
         let turns = turns(states);
         let slack = FEATURE_SLACK * self.bodies[meeting.0].shape.size();
+        let across = |pair| left.is_some_and(|left| self.is_across((states, &turns), pair, left, slack));
         let mut best: Option<(Pairing, f64, f64)> = None;
         self.each_pair(meeting, |pair| {
-            if self.extents(states, &turns, pair).iter().flatten().any(|(s, _)| *s < -slack) {
+            if self.extents(states, &turns, pair).iter().flatten().any(|(s, _)| *s < -slack) || across(pair) {
                 return;
             }
             let k = self.kinematics_turned(states, &turns, pair);

@@ -5,12 +5,12 @@
 //! the first root of the lowest parabola is a time before which nothing can touch.
 
 use super::World;
-use super::clearance::Moves;
+use super::clearance::{Exactness, Moves};
 use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
 use crate::evaluated::{Quantity, evaluated};
 use crate::planar::geometry::{Feature, Obstacle, State};
-use crate::tolerance::{CLEAR_GAP, MET_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES};
+use crate::tolerance::{CLEAR_GAP, MET_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES, TOUCHING_GAP};
 use carom_num::Vec2;
 use carom_num::poly::first_root;
 
@@ -29,6 +29,8 @@ pub(in crate::planar) struct Bounds {
     pub(in crate::planar) speed: f64,
     /// The acceleration itself, where it is constant: in flight.
     pub(in crate::planar) steady: Option<Vec2>,
+    /// On which side of the obstacle the body is, where that is known: left of its direction or not.
+    pub(in crate::planar) left: Option<bool>,
 }
 
 impl Bounds {
@@ -199,13 +201,17 @@ impl World {
         // Of the bodies only this one is asked about.
         let (states, turns) = (vec![*probe.state; body + 1], vec![probe.turn; body + 1]);
         let exact = MET_GAP * self.bodies[body].shape.size();
+        let in_line = TOUCHING_GAP * self.bodies[body].shape.size();
         let (mut distance, mut safe) = (f64::INFINITY, bounds.horizon);
         self.each_pair((body, probe.obstacle), |pair| {
             let known = probe.known_open(pair.feature).unwrap_or(0.0);
             if known >= bounds.horizon && bounds.horizon > 0.0 {
                 return;
             }
-            let clear = self.clearance_of((&states, &turns), pair, &moves, (probe.leniency.allowance, exact));
+            let behind =
+                bounds.left.is_some_and(|left| self.is_across((&states, &turns), pair, left, in_line));
+            let known_of = Exactness { allowance: probe.leniency.allowance, exact, behind };
+            let clear = self.clearance_of((&states, &turns), pair, &moves, known_of);
             (distance, safe) = (distance.min(clear.distance), safe.min(clear.safe.max(known)));
         });
         // The allowance counts as apart, as it does along an axis.

@@ -185,8 +185,11 @@ impl World {
         let ((body, obstacle), reach) = (meeting, search.reach);
         let segment = self.obstacles.get(obstacle).filter(|o| o.is_segment());
         let Some(met) = segment.filter(|_| self.bodies[body].shape.is_hull()) else {
+            let left = search.sides.get(self.place(body, obstacle)).copied().unwrap_or(true);
             return self.each_pair(meeting, |pair| {
-                if self.gap(states, turns, pair).abs() <= reach {
+                if self.gap(states, turns, pair).abs() <= reach
+                    && !self.is_across((states, turns), pair, left, reach)
+                {
                     offer(pair);
                 }
             });

@@ -31,6 +31,8 @@ pub struct Obstacle {
     middle: Vec2,
     half: f64,
     segment: bool,
+    /// Without thickness: its outline runs there and back on one line.
+    thin: bool,
 }
 
 impl Obstacle {
@@ -109,7 +111,8 @@ impl Obstacle {
         let middle =
             hull.vertices().iter().fold(Vec2::ZERO, |sum, v| sum + *v) / hull.vertices().len() as f64;
         let half = hull.vertices().iter().map(|v| (*v - middle).norm()).fold(0.0, f64::max) + hull.radius();
-        Self { from, to, shape, friction, restitution, length, direction, middle, half, segment }
+        let thin = shape.runs_there_and_back();
+        Self { from, to, shape, friction, restitution, length, direction, middle, half, segment, thin }
     }
 
     /// What it looks like, in the world's frame.
@@ -141,6 +144,12 @@ impl Obstacle {
     #[inline]
     pub(in crate::planar) fn is_segment(&self) -> bool {
         self.segment
+    }
+
+    /// True for what has no thickness, straight or bent.
+    #[inline]
+    pub(in crate::planar) fn is_thin(&self) -> bool {
+        self.thin
     }
 
     /// One end [m].

@@ -278,6 +278,20 @@ impl Shape {
         self.radii[0] == 0.0 && self.vertices.len() == 2
     }
 
+    /// True for an outline without thickness: it runs from its first vertex to the one in the middle of the list, and back on the same line.
+    pub(in crate::planar) fn runs_there_and_back(&self) -> bool {
+        let (count, last) = (self.vertices.len(), self.vertices.len() / 2);
+        let back = |v: usize| {
+            let same = self.vertices[v] == self.vertices[count - v];
+            same && self.radii[v] == -self.radii[count - v]
+        };
+        last > 0
+            && count == 2 * last
+            && self.radii[0] == 0.0
+            && self.radii[last] == 0.0
+            && (1..last).all(back)
+    }
+
     /// The face that ends at a vertex.
     pub(in crate::planar) fn face_before(&self, vertex: usize) -> usize {
         if vertex == 0 { self.vertices.len() - 1 } else { vertex - 1 }

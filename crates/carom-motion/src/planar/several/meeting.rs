@@ -6,7 +6,7 @@
 use crate::evaluated::{Quantity, evaluated};
 use crate::planar::contact::{
     World,
-    clearance::Moves,
+    clearance::{Exactness, Moves},
     kinematics::{Pairing, Turn},
     touching::Few,
     world::Scales,
@@ -94,7 +94,8 @@ impl Two<'_> {
         let mut out = Apart { distance: f64::INFINITY, safe: bounds.horizon };
         self.world.each_pair(meeting, |pair| {
             let posed = (&self.states[..], &self.turns[..]);
-            let clear = self.world.clearance_of(posed, pair, bounds, (allowance, exact));
+            let clear =
+                self.world.clearance_of(posed, pair, bounds, Exactness { allowance, exact, behind: false });
             (out.distance, out.safe) = (out.distance.min(clear.distance), out.safe.min(clear.safe));
         });
         Apart { distance: out.distance - allowance, ..out }
@@ -190,7 +191,7 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             let free = two.apart(&bounds, 2.0 * met + (-apart.distance).max(0.0));
             t += free.safe.max(STEP_PAST_TOUCH * self.scales.time);
         }
-        self.world.nearest(&(self.at)(t), meeting).map(|pair| (t, pair))
+        self.world.nearest(&(self.at)(t), meeting, None).map(|pair| (t, pair))
     }
 
     /// Newton on the pair's own gap, with its second rate from a difference: near the top of a short hop the first alone overshoots.

@@ -37,6 +37,13 @@ pub(in crate::planar) struct Known<'a> {
     pub(in crate::planar) significant: f64,
 }
 
+impl Known<'_> {
+    /// The side of an obstacle on which a body is known to be.
+    fn side(&self, world: &World, (body, obstacle): (usize, usize)) -> Option<bool> {
+        self.sides.get(world.place(body, obstacle)).copied()
+    }
+}
+
 /// A flight that is likely to end where it began within this many of the world's own times is a hop.
 const HOP: f64 = 1.0;
 /// Steps of a march towards one obstacle after which it is given up as met.
@@ -188,7 +195,9 @@ impl Ballistic<'_> {
                 return None;
             }
             let state = self.at(t);
+            let left = self.known.side(self.world, (0, obstacle));
             let bounds = self.bounds(&state, (until - t).min(4.0 * self.known.scales.time));
+            let bounds = Bounds { left, ..bounds };
             let apart = |leniency: &Leniency| self.world.apart(&state, (0, obstacle), &bounds, leniency);
             let just_opened = steps == 0 && self.known.departing.iter().any(|d| d.obstacle == obstacle);
             let mut allowance = 2.0 * met;
@@ -215,7 +224,8 @@ impl Ballistic<'_> {
             }
             t += free.safe.max(STEP_PAST_TOUCH * self.known.scales.time);
         }
-        self.world.nearest(&[self.at(t)], (0, obstacle)).map(|pair| Touchdown { time: t, pair })
+        let left = self.known.side(self.world, (0, obstacle));
+        self.world.nearest(&[self.at(t)], (0, obstacle), left).map(|pair| Touchdown { time: t, pair })
     }
 
     fn bounds(&self, state: &State, horizon: f64) -> Bounds {
@@ -227,6 +237,7 @@ impl Ballistic<'_> {
             spin: state.twist.spin.abs(),
             speed: state.twist.velocity.norm() + gravity * horizon,
             steady: Some(self.world.gravity),
+            left: None,
         }
     }
 
@@ -292,7 +303,7 @@ impl World {
         let mut pairs = Few::default();
         self.touching_one(states, &turns(states), meeting, &search, &mut pairs);
         if pairs.is_empty()
-            && let Some(pair) = self.nearest(states, meeting)
+            && let Some(pair) = self.nearest(states, meeting, known.side(self, meeting))
         {
             pairs.push(pair);
         }

@@ -151,6 +151,7 @@ impl<const B: usize> Gliding<'_, '_, '_, '_, B> {
                 spin: tried.start[body][5].abs(),
                 speed: speed(&tried.start[body]).max(speed(&tried.end[body])),
                 steady: Some(acceleration),
+                left: None,
             }
         })
     }

@@ -75,6 +75,7 @@ impl<const P: usize, const B: usize> Expanded<B> for Along<P> {
             spin: expansion.spin[0].abs() + spreads.spin,
             speed: given.start.twist.velocity.norm() + acceleration * self.length,
             steady: None,
+            left: None,
         }
     }
 

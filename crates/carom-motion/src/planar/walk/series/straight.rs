@@ -192,6 +192,7 @@ impl<const B: usize> Expanded<B> for Straight {
             spin: 0.0,
             speed: self.start.twist.velocity.norm().max(end.twist.velocity.norm()),
             steady: Some(self.acceleration),
+            left: None,
         }
     }
 

@@ -1,0 +1,147 @@
+//! On which side of an obstacle without thickness a rod lies that has none either: in line with it, it is on both at once. Memory decides, not rounding.
+
+use super::World;
+use super::kinematics::{Pairing, Turn};
+use crate::planar::geometry::{Feature, Obstacle, State};
+use carom_num::Vec2;
+
+/// Rods whose ends are this many times as far from a line as counts as touching are in line with it.
+const IN_LINE: f64 = 4.0;
+
+impl Obstacle {
+    /// True for a face on the left of the direction from → to of what has no thickness.
+    fn is_left(&self, face: usize) -> bool {
+        face >= self.shape().faces() / 2
+    }
+
+    /// How far a point lies to the left of the nearest stretch of what has no thickness [m], negative to the right; 0 where that cannot be told. Beyond
+    /// its ends a straight stretch counts as going on.
+    pub(in crate::planar) fn off_to_left(&self, point: Vec2) -> f64 {
+        let shape = self.shape();
+        let (first, count) = (shape.faces() / 2, shape.faces());
+        let (mut nearest, mut off) = (f64::INFINITY, 0.0);
+        let mut take = |distance: f64, to_left: f64| {
+            if distance < nearest {
+                (nearest, off) = (distance, to_left);
+            }
+        };
+        for face in (first..count).filter(|face| shape.face_length(*face) > 0.0) {
+            let (normal, from) = (shape.face_normal(face), point - shape.vertices()[face]);
+            let (along, length) = (normal.turned_left().dot(from), shape.face_length(face));
+            let beyond = (-along).max(along - length).max(0.0);
+            let open = if along < 0.0 { face == first } else { face + 1 == count };
+            let to_left = normal.dot(from) - shape.radius_of(face);
+            if beyond == 0.0 || open {
+                take(Vec2::new(beyond, to_left).norm(), to_left);
+            }
+        }
+        for vertex in first + 1..count {
+            let (from, radius) = (point - shape.vertices()[vertex], shape.radius_of(vertex));
+            let distance = from.norm();
+            if radius == 0.0 {
+                // What is nearest to a corner lies where the corner points to.
+                take(distance, if shape.is_hollow(vertex) { -distance } else { distance });
+            } else if shape.normals_hold(vertex, from * radius.signum()) {
+                let to_left = radius.signum() * distance - radius;
+                take(to_left.abs(), to_left);
+            }
+        }
+        off
+    }
+
+    /// Of what has no thickness: the side that a pair touches it from, and the faces beside the place.
+    fn side_of(&self, feature: Feature, outward: impl Fn(usize) -> Vec2) -> Option<(bool, [usize; 2])> {
+        let (shape, to) = (self.shape(), self.shape().faces() / 2);
+        match feature {
+            Feature::VertexOnFace { face, .. } => Some((self.is_left(face), [face; 2])),
+            Feature::FaceOnEnd { face, end } => {
+                let beside = [shape.face_before(end), end];
+                // At an end both sides meet: the one counts that the rod's own face looks at.
+                let left = if end == 0 || end == to {
+                    let left = beside[usize::from(end == to)];
+                    shape.face_normal(left).dot(outward(face)) < 0.0
+                } else {
+                    end > to
+                };
+                Some((left, beside))
+            }
+            Feature::VertexOnEnd { .. } => None,
+        }
+    }
+}
+
+impl World {
+    /// The side of a pair's obstacle that the pair touches it from, left or not; `None` where it has a thickness, or the pair does not tell.
+    pub(in crate::planar) fn side_touched(&self, turn: Turn, pair: Pairing) -> Option<bool> {
+        let o = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin())?;
+        let shape = &self.body_of(pair).shape;
+        o.side_of(pair.feature, |face| turn.apply(shape.face_normal(face))).map(|(left, _)| left)
+    }
+
+    /// True for a pair that touches from the other side than the one on which a rod is known to lie, in line with the obstacle up to `reach` [m].
+    pub(in crate::planar) fn is_across(
+        &self,
+        (states, turns): (&[State], &[Turn]),
+        pair: Pairing,
+        left: bool,
+        reach: f64,
+    ) -> bool {
+        let shape = &self.body_of(pair).shape;
+        let Some(o) = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin() && shape.is_thin_rod()) else {
+            return false;
+        };
+        let (turn, centre) = (turns[pair.body], states[pair.body].pose.centre);
+        let Some((touches_left, beside)) =
+            o.side_of(pair.feature, |face| turn.apply(shape.face_normal(face)))
+        else {
+            return false;
+        };
+        let in_line = |face: usize| {
+            let (normal, from) = (o.shape().face_normal(face), o.shape().vertices()[face]);
+            let off = |v: &Vec2| normal.dot(centre + turn.apply(*v) - from) - o.shape().radius_of(face);
+            o.shape().face_length(face) > 0.0
+                && shape.vertices().iter().all(|v| off(v).abs() <= IN_LINE * reach)
+        };
+        touches_left != left && beside.into_iter().any(in_line)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+    use crate::planar::{ChainPoint, Shape};
+
+    /// A straight stretch to the right, an arc of a quarter turn upwards about (1, 1), and a straight stretch up; then to the left and down round a corner.
+    fn bent() -> Obstacle {
+        let quarter = 0.5 * std::f64::consts::PI;
+        let there = [
+            ChainPoint::straight(Vec2::new(0.0, 0.0)),
+            ChainPoint { at: Vec2::new(1.0, 0.0), sweep: quarter },
+            ChainPoint::straight(Vec2::new(2.0, 1.0)),
+            ChainPoint::straight(Vec2::new(2.0, 2.0)),
+            ChainPoint::straight(Vec2::new(1.0, 3.0)),
+        ];
+        Obstacle::of_shape(Shape::of_open_chain(&there).unwrap(), 0.3, 0.0)
+    }
+
+    #[test]
+    fn sides_are_told_along_stretches_arcs_corners_and_beyond_ends() {
+        let o = bent();
+        assert!(o.is_thin());
+        let off = |x: f64, y: f64| o.off_to_left(Vec2::new(x, y));
+        let near =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found}, not {expected}");
+        near(off(0.5, 0.25), 0.25);
+        near(off(0.5, -0.25), -0.25);
+        near(off(-1.0, -0.25), -0.25);
+        // Inside and outside of the arc: 1 from its centre is on it.
+        near(off(1.0 + 0.3, 1.0 - 0.4), 0.5);
+        near(off(1.0 + 0.9, 1.0 - 1.2), -0.5);
+        near(off(1.75, 1.5), 0.25);
+        // Around the corner at (2, 2), which the left does not see.
+        near(off(2.3, 2.1), -(0.3_f64 * 0.3 + 0.1 * 0.1).sqrt());
+        near(off(1.3, 1.9), 0.8 * 0.5_f64.sqrt());
+    }
+}
