@@ -17,6 +17,9 @@ use std::path::{Path, PathBuf};
 /// Tolerance of the single runs.
 const TOLERANCE: f64 = 1e-10;
 
+/// Ends of stages are as close as this to those of the whole run [s].
+const SAME_TIME: f64 = 1e-12;
+
 /// The example scenes, by name; the files of impacts and of rolling bodies are none.
 fn scenes() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
@@ -37,6 +40,29 @@ fn options() -> Options {
 
 fn work(feeder: &Feeder) -> Effort {
     feeder.prepare(options()).unwrap().run_untraced().unwrap().effort
+}
+
+/// What each stage of a run costs: the same run, ended by its budget after one event, after two, and so on.
+fn stages(table: &mut String, feeder: &Feeder) {
+    let run = feeder.prepare(options()).unwrap().run().unwrap();
+    let mut before = Effort::default();
+    for most_events in 1..=run.effort.events {
+        let ended = Options { most_events, ..options() };
+        let now = feeder.prepare(ended).unwrap().run_untraced().unwrap();
+        let stage = run.stages.iter().find(|stage| stage.end_time > now.end_time - SAME_TIME);
+        let name = format!("  {:?}, to {:.4} s", stage.unwrap().name, now.end_time);
+        let own = Effort {
+            rhs_evaluations: now.effort.rhs_evaluations - before.rhs_evaluations,
+            steps: now.effort.steps - before.steps,
+            event_evaluations: now.effort.event_evaluations - before.event_evaluations,
+            rate_problems: now.effort.rate_problems - before.rate_problems,
+            events: now.effort.events - before.events,
+            impacts: now.effort.impacts - before.impacts,
+        };
+        row(table, &name, &own);
+        before = now.effort;
+    }
+    assert_eq!(before.rhs_evaluations, run.effort.rhs_evaluations, "the stages are the whole run");
 }
 
 fn row(table: &mut String, name: &str, work: &Effort) {
@@ -113,6 +139,7 @@ fn runs_and_studies_cost_this_much() {
             None => row(&mut table, &name, &work(scene.feeder())),
         }
         if name == "case_1.toml" {
+            stages(&mut table, scene.feeder());
             paper = Some(scene);
         }
     }
