@@ -18,7 +18,7 @@ struct House {
     ground: &'static [&'static str],
 }
 
-const HOUSES: [House; 4] = [
+const HOUSES: [House; 5] = [
     House {
         folder: "crates/carom-impact/src",
         path: "crate::",
@@ -40,6 +40,12 @@ const HOUSES: [House; 4] = [
         folder: "crates/carom-impact/src/planar",
         path: "crate::planar::",
         rooms: &[("contacts", 0), ("rates", 1), ("stages", 2), ("ends", 2)],
+        ground: &[],
+    },
+    House {
+        folder: "crates/carom-impact/src/spatial",
+        path: "crate::spatial::",
+        rooms: &[("contacts", 0), ("rates", 1), ("ends", 1), ("stages", 2)],
         ground: &[],
     },
     House {

@@ -8,7 +8,7 @@ use crate::referee::{CasesOptions, JUDGE_HELP, JudgeOptions};
 use crate::schema::SchemaOptions;
 use crate::studio::StudioOptions;
 use crate::validate::{VALIDATE_HELP, ValidateOptions};
-use carom::tasks::yields::LINES;
+use crate::yields::YieldOptions;
 use carom::tasks::{feeds::INTERVALS, tolerance};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -316,34 +316,6 @@ pub(crate) struct MapOptions {
     /// Say how the drop at the middle of every cell ends as well: boundaries are followed on a grid eight times as coarse, and drops beside them.
     #[arg(long)]
     pub(crate) cells: bool,
-}
-
-#[derive(Args, Debug)]
-pub(crate) struct YieldOptions {
-    /// Scene file, with tolerances: slope = "15 ± 0.5 deg".
-    #[arg(value_name = "SCENE")]
-    pub(crate) scene: PathBuf,
-    /// Drops; rounded up to 16 times a power of two.
-    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
-    pub(crate) samples: u64,
-    /// Independent random points in place of Sobol's: a check of them.
-    #[arg(long)]
-    pub(crate) plain: bool,
-    /// Locate where drops stop to end as wanted, and say nothing but how surely they do: to about a thousandth, for a hundredth of the drops.
-    #[arg(long, conflicts_with_all = ["samples", "open"])]
-    pub(crate) locate: bool,
-    /// With --locate: lines along which that is located; rounded up to 16 times a power of two.
-    #[arg(long, default_value_t = LINES, requires = "locate", value_parser = clap::value_parser!(u64).range(16..=1 << 18))]
-    pub(crate) lines: u64,
-    /// What every random number comes from: the same seed gives the same result.
-    #[arg(long, default_value_t = 1)]
-    pub(crate) seed: u64,
-    /// The plate to look at, by name or number from 0 [default: the last].
-    #[arg(long, value_name = "PLATE")]
-    pub(crate) plate: Option<String>,
-    /// Open the page when it is written.
-    #[arg(long)]
-    pub(crate) open: bool,
 }
 
 #[derive(Args, Debug)]

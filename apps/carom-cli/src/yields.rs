@@ -2,17 +2,46 @@
 
 mod report;
 
-use crate::args::{Format, Output, YieldOptions};
+use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::files;
 use crate::printed::with_files;
 use crate::progress::{Progress, spent};
 use carom::tasks::axes::{Asker, Complaints, plate};
-use carom::tasks::yields::{LocatedYield, YieldStudy, is_of_a_drop};
+use carom::tasks::yields::{LINES, LocatedYield, YieldStudy, is_of_a_drop};
 use carom_scene::{Scene, Varied};
 use carom_study::yields::{Plan, Points, REPETITIONS};
+use clap::Args;
 use std::io::Write;
 use std::path::PathBuf;
+
+#[derive(Args, Debug)]
+pub(crate) struct YieldOptions {
+    /// Scene file, with tolerances: slope = "15 ± 0.5 deg".
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: PathBuf,
+    /// Drops; rounded up to 16 times a power of two.
+    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
+    pub(crate) samples: u64,
+    /// Independent random points in place of Sobol's: a check of them.
+    #[arg(long)]
+    pub(crate) plain: bool,
+    /// Locate where drops stop to end as wanted, and say nothing but how surely they do: to about a thousandth, for a hundredth of the drops.
+    #[arg(long, conflicts_with_all = ["samples", "open"])]
+    pub(crate) locate: bool,
+    /// With --locate: lines along which that is located; rounded up to 16 times a power of two.
+    #[arg(long, default_value_t = LINES, requires = "locate", value_parser = clap::value_parser!(u64).range(16..=1 << 18))]
+    pub(crate) lines: u64,
+    /// What every random number comes from: the same seed gives the same result.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// The plate to look at, by name or number from 0 [default: the last].
+    #[arg(long, value_name = "PLATE")]
+    pub(crate) plate: Option<String>,
+    /// Open the page when it is written.
+    #[arg(long)]
+    pub(crate) open: bool,
+}
 
 pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
     let scene = Scene::read(&options.scene)?;

@@ -8,34 +8,18 @@
 //! - [`staged`]: several contacts, by the walk whose slips turn;
 //! - [`ContactSet::states_of_keeping`]: every state of the law under which nothing slides.
 
-mod account;
-mod answer;
-mod bodies;
-mod curve;
-mod debt;
-mod equations;
-mod forces;
-mod hodograph;
-mod leg;
-mod motions;
-mod non_sliding;
-mod onset;
-mod paradox;
-mod rate;
-mod reduced;
-mod set;
-mod settled;
-mod single;
-pub mod staged;
-mod starts;
-mod walk;
-mod watch;
+mod contacts;
+mod ends;
+mod rates;
+mod stages;
 
-pub use answer::{Answer, Condition, Freedom, Guess, Mode, Preference, Solution};
-pub use bodies::{Meeting, struck};
-pub use leg::StageEvent;
-pub use non_sliding::{Conclusion, KeptState, Refusal, Refused, StatesOfKeeping};
-pub use rate::{MOST_EXAMINED, RateProblem};
-pub use set::{ContactSet, RigidBody, Touch};
-pub use single::{Contact, Outcome, Slip, Stage, StageEnd};
-pub use staged::{Ground, StagedOutcome, Station};
+pub use stages::staged;
+
+pub use contacts::bodies::{Meeting, struck};
+pub use contacts::set::{ContactSet, MOST_EXAMINED, RigidBody, Touch};
+pub use contacts::single::{Contact, Outcome, Slip, Stage, StageEnd};
+pub use ends::non_sliding::{Conclusion, KeptState, Refusal, Refused, StatesOfKeeping};
+pub use rates::answer::{Answer, Condition, Freedom, Guess, Mode, Preference, Solution};
+pub use rates::rate::RateProblem;
+pub use stages::leg::StageEvent;
+pub use stages::staged::{Ground, StagedOutcome, Station};

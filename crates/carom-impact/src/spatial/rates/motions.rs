@@ -154,7 +154,7 @@ fn independent<const N: usize>(mut all: Vec<Directions<N>>) -> Option<Vec<Direct
 
 impl<const N: usize> Motions<'_, N> {
     /// How many of them are independent: they are a point, two points, a circle or a sphere.
-    pub(super) fn freedom(&self) -> usize {
+    pub(in crate::spatial) fn freedom(&self) -> usize {
         self.basis.len()
     }
 

@@ -3,11 +3,12 @@
 //! Rates depend on the directions of the slips alone. Where friction turns none of them the stage is straight, and ends in closed form. Else it is a curve, in
 //! polar coordinates of every slip, with the clock of [`curve`](super::curve).
 
-use super::answer::{Guess, Member, Mode, Solution};
-use super::equations::Hypothesis;
-use super::rate::RateProblem;
-use super::{ContactSet, Station};
+use super::staged::Station;
 use crate::Load;
+use crate::spatial::contacts::set::ContactSet;
+use crate::spatial::rates::answer::{Guess, Member, Mode, Solution};
+use crate::spatial::rates::equations::Hypothesis;
+use crate::spatial::rates::rate::RateProblem;
 use crate::tolerance::{NO_SLIP, ON_LINE, SMALL_SLIP, STAGE_ZERO, STRAIGHT_TURN};
 use carom_num::Vec3;
 

@@ -115,16 +115,16 @@ const MOST_STAGES: usize = 8;
 
 /// Where the walk is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) impulse: Vec3,
-    pub(super) velocity: Vec3,
+pub(in crate::spatial) struct Place {
+    pub(in crate::spatial) impulse: Vec3,
+    pub(in crate::spatial) velocity: Vec3,
     /// Work of the normal impulse so far [J].
-    pub(super) work: f64,
+    pub(in crate::spatial) work: f64,
 }
 
 /// Up to where a phase goes: what is left of it falls through zero.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Goal {
+pub(in crate::spatial) enum Goal {
     /// The normal velocity comes to this.
     Velocity(f64),
     /// The normal impulse comes to this.
@@ -135,7 +135,7 @@ pub(super) enum Goal {
 
 impl Goal {
     /// What is left, and its rate with the normal impulse where the normal velocity grows by `growth` per impulse.
-    pub(super) fn left(self, impulse: f64, velocity: f64, work: f64, growth: f64) -> (f64, f64) {
+    pub(in crate::spatial) fn left(self, impulse: f64, velocity: f64, work: f64, growth: f64) -> (f64, f64) {
         match self {
             Self::Velocity(end) => (end - velocity, -growth),
             Self::Impulse(end) => (end - impulse, -1.0),
@@ -144,7 +144,7 @@ impl Goal {
     }
 
     /// The normal impulse still to come where the normal velocity grows steadily.
-    pub(super) fn straight(self, at: &Place, growth: f64) -> f64 {
+    pub(in crate::spatial) fn straight(self, at: &Place, growth: f64) -> f64 {
         let (left, _) = self.left(at.impulse.z, at.velocity.z, at.work, growth);
         match self {
             Self::Velocity(_) => left / growth,

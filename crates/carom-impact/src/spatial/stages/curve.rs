@@ -8,14 +8,14 @@
 //! d ln sᵢ/dσ = (ρ/sᵢ) fᵢ(θ),   dθᵢ/dσ = (ρ/sᵢ) gᵢ(θ),   0 < ρ/sᵢ ≤ 1
 //! ```
 //!
-//! The slip that is about to stop turns by itself, and meanwhile the others stand still. One contact has ρ = s, the clock of [`hodograph`](super::hodograph).
+//! The slip that is about to stop turns by itself, and meanwhile the others stand still. One contact has ρ = s, the clock of [`hodograph`](crate::spatial::contacts::hodograph).
 //!
 //! Every inequality of the hypothesis is an event function of a [`Course`].
 
-use super::answer::Mode;
 use super::leg::{Goal, Leg, Pace, Place, StageEvent, Walked};
 use super::watch::{OF_CONTACT, Watch};
 use crate::ImpactError;
+use crate::spatial::rates::answer::Mode;
 use crate::tolerance::{
     BIRTH, CURVE_NOISE, CURVE_SHORT, CURVE_STEP_ERROR, FALLEN, NEAR_STOP, NEUTRAL, SETTLED_FALL, STANDING,
     STOPPED,

@@ -20,13 +20,13 @@ const SEEDS: u32 = 16;
 
 /// K contacts that start to slip, with their response while all others react.
 pub(super) struct Reduced<const K: usize> {
-    pub(super) drive: [Vec3; K],
-    pub(super) operator: [[Mat3; K]; K],
-    pub(super) friction: [f64; K],
+    pub(in crate::spatial) drive: [Vec3; K],
+    pub(in crate::spatial) operator: [[Mat3; K]; K],
+    pub(in crate::spatial) friction: [f64; K],
     /// The base load of a contact that does not hold; `None` where it holds.
-    pub(super) base: [Option<f64>; K],
+    pub(in crate::spatial) base: [Option<f64>; K],
     /// True where the others keep one of them from slipping at all.
-    pub(super) held: bool,
+    pub(in crate::spatial) held: bool,
 }
 
 /// A place on a curve of pairs of directions.

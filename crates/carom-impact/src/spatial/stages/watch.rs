@@ -1,9 +1,9 @@
 //! What is watched along a curve: every inequality of the hypothesis, as a function that falls through zero where it breaks.
 
-use super::answer::Mode;
 use super::curve::{CLOCK, Curve, State, WORK};
 use super::leg::{Goal, Pace};
 use crate::Load;
+use crate::spatial::rates::answer::Mode;
 use crate::tolerance::{AT_EDGE_OF_CURVE, CLOCK_HELD_UP, TOUCHING_EDGE};
 use carom_num::ode8::Vector;
 use carom_num::{Mat3, Vec3};

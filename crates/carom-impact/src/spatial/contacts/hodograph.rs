@@ -25,16 +25,16 @@ use carom_num::{Mat3, Vec3};
 /// A contact's operator and its friction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rough {
-    pub(super) operator: Mat3,
-    pub(super) friction: f64,
+    pub(in crate::spatial) operator: Mat3,
+    pub(in crate::spatial) friction: f64,
 }
 
 /// What a contact at rest in its tangent plane does.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rest {
-    pub(super) sticks: bool,
+    pub(in crate::spatial) sticks: bool,
     /// Impulse per normal impulse.
-    pub(super) along: Vec3,
+    pub(in crate::spatial) along: Vec3,
 }
 
 /// How a slide ended.
@@ -74,7 +74,7 @@ impl Rough {
     }
 
     /// What a contact does that does not slip; `None` where it does slip.
-    pub(super) fn rest(&self, velocity: &Vec3) -> Option<Rest> {
+    pub(in crate::spatial) fn rest(&self, velocity: &Vec3) -> Option<Rest> {
         if velocity.x != 0.0 || velocity.y != 0.0 {
             return None;
         }
@@ -240,7 +240,7 @@ fn at_rest(mut place: Place) -> Place {
 
 /// The direction near `theta` that friction does not turn, and to which it turns neighbouring slips back; `None` where there is none. `turn` says
 /// how fast friction turns a slip at an angle beside `theta`.
-pub(super) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+pub(in crate::spatial) fn turned_back_to(theta: f64, turn: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let (mut low, mut high) = (-BESIDE, BESIDE);
     if turn(low)? <= 0.0 || turn(high)? >= 0.0 {
         return None;

@@ -1,6 +1,8 @@
 //! Several bodies that meet, each other or what does not yield: their contacts as one set, and the bodies after it.
 
-use super::{ContactSet, RigidBody, Touch};
+use super::set::ContactSet;
+use super::set::RigidBody;
+use super::set::Touch;
 use crate::ImpactError;
 use crate::error::outside;
 use carom_num::{Mat3, Vec3};

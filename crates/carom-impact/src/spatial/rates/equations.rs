@@ -14,25 +14,25 @@ const MOST: usize = 24;
 
 /// A hypothesis with the directions in which its contacts slip.
 #[derive(Clone, Copy)]
-pub(super) struct Hypothesis<'p, const N: usize> {
-    pub(super) problem: &'p RateProblem<'p, N>,
-    pub(super) guess: &'p [Guess; N],
+pub(in crate::spatial) struct Hypothesis<'p, const N: usize> {
+    pub(in crate::spatial) problem: &'p RateProblem<'p, N>,
+    pub(in crate::spatial) guess: &'p [Guess; N],
     /// Unit vectors; zero where a contact does not slip.
-    pub(super) direction: [[f64; 2]; N],
+    pub(in crate::spatial) direction: [[f64; 2]; N],
 }
 
 /// The rates that satisfy the equations of a hypothesis.
 #[derive(Clone, Copy)]
-pub(super) struct Found<const N: usize> {
-    pub(super) rates: [Vec3; N],
-    pub(super) freedom: Freedom,
-    pub(super) member: Member,
+pub(in crate::spatial) struct Found<const N: usize> {
+    pub(in crate::spatial) rates: [Vec3; N],
+    pub(in crate::spatial) freedom: Freedom,
+    pub(in crate::spatial) member: Member,
 }
 
 /// Which rates are unknown: contact and axis of each.
 #[derive(Clone, Copy)]
 pub(super) struct Unknowns {
-    pub(super) count: usize,
+    pub(in crate::spatial) count: usize,
     of: [(usize, usize); MOST],
 }
 
@@ -60,7 +60,7 @@ impl<const M: usize> Equations<M> {
 
 impl<const N: usize> Hypothesis<'_, N> {
     /// The rates that the hypothesis demands, the shortest of a family; `None` where its equations contradict each other.
-    pub(super) fn rates(&self) -> Option<Found<N>> {
+    pub(in crate::spatial) fn rates(&self) -> Option<Found<N>> {
         let unknowns = self.unknowns();
         match unknowns.count {
             0..=3 => self.rates_sized::<3>(&unknowns),
@@ -106,7 +106,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 
     /// Rates of contact j for a normal rate of 1, friction included where it slides.
-    pub(super) fn pull(&self, j: usize) -> Vec3 {
+    pub(in crate::spatial) fn pull(&self, j: usize) -> Vec3 {
         let mu = self.problem.friction[j];
         let [x, y] = if self.guess[j].slides() { self.direction[j] } else { [0.0; 2] };
         Vec3::new(-mu * x, -mu * y, 1.0)
@@ -176,7 +176,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 }
 
-pub(super) fn component(v: Vec3, axis: usize) -> f64 {
+pub(in crate::spatial) fn component(v: Vec3, axis: usize) -> f64 {
     match axis {
         0 => v.x,
         1 => v.y,

@@ -1,8 +1,8 @@
 //! Stages whose slip has come to a direction that friction does not turn.
 
 use super::curve::{CLOCK, Curve, State, WORK};
-use super::hodograph::turned_back_to;
 use super::leg::{Goal, Leg, StageEvent, Walked};
+use crate::spatial::contacts::hodograph::turned_back_to;
 use crate::tolerance::{NEAR_STOP, SETTLED_TURN};
 use carom_num::elementary::{exp, sin_cos};
 

@@ -10,6 +10,7 @@
 use super::answer::{Answer, Condition, Freedom, Guess, Member, Mode, Solution};
 use super::equations::{Found, Hypothesis};
 use crate::Load;
+use crate::spatial::contacts::set::MOST_EXAMINED;
 use crate::tolerance::{ALONG_ITS_RESPONSE, SLACK_TOLERANCE};
 use carom_num::{Mat3, Vec3};
 
@@ -44,7 +45,7 @@ use carom_num::{Mat3, Vec3};
 pub struct RateProblem<'a, const N: usize> {
     /// Number of contacts.
     pub count: usize,
-    /// The operator W, as [`ContactSet::operator`](super::ContactSet::operator).
+    /// The operator W, as [`ContactSet::operator`](crate::spatial::contacts::set::ContactSet::operator).
     pub operator: &'a [[Mat3; N]; N],
     /// Friction coefficients.
     pub friction: &'a [f64; N],
@@ -56,8 +57,6 @@ pub struct RateProblem<'a, const N: usize> {
     pub load: [Load; N],
 }
 
-/// Most contacts of which every hypothesis is tried.
-pub const MOST_EXAMINED: usize = 8;
 /// A contact holds or not, and is open, slips, sticks or starts.
 const MOST_OPTIONS: usize = 4;
 
@@ -130,7 +129,7 @@ impl<const N: usize> RateProblem<'_, N> {
     }
 
     /// The first solution of this hypothesis, if it is one of this problem.
-    pub(super) fn first_of(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
+    pub(in crate::spatial) fn first_of(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
         let mut found = None;
         if !(0..self.count).all(|i| self.options(i).any(|option| option == guess[i])) {
             return found;
@@ -242,7 +241,7 @@ impl<const N: usize> RateProblem<'_, N> {
         [x / length, y / length]
     }
 
-    pub(super) fn base(&self, i: usize) -> f64 {
+    pub(in crate::spatial) fn base(&self, i: usize) -> f64 {
         match self.load[i] {
             Load::Absent => 0.0,
             Load::Touching(base) | Load::Prescribed(base) => base,
@@ -261,7 +260,7 @@ impl<const N: usize> RateProblem<'_, N> {
     }
 
     /// `drive + W rates` of every contact, and the sums of the magnitudes of its terms, across the normal and along it.
-    pub(super) fn response(&self, rates: &[Vec3; N]) -> ([Vec3; N], [[f64; 2]; N]) {
+    pub(in crate::spatial) fn response(&self, rates: &[Vec3; N]) -> ([Vec3; N], [[f64; 2]; N]) {
         let mut response = self.drive;
         let across = |v: Vec3| (v.x * v.x + v.y * v.y).sqrt();
         let mut terms = response.map(|d| [across(d), d.z.abs()]);

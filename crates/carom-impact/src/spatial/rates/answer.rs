@@ -53,10 +53,10 @@ pub struct Guess {
 
 impl Guess {
     /// A contact that transmits nothing.
-    pub(super) const OPEN: Self = Self { holds: false, mode: Mode::Open };
+    pub(in crate::spatial) const OPEN: Self = Self { holds: false, mode: Mode::Open };
 
     /// True where friction is the whole cone's, against a slip.
-    pub(super) fn slides(self) -> bool {
+    pub(in crate::spatial) fn slides(self) -> bool {
         matches!(self.mode, Mode::Slips | Mode::Starts)
     }
 }
@@ -133,7 +133,7 @@ pub enum Preference {
 
 /// Which member of a family of rates is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Member {
+pub(in crate::spatial) enum Member {
     /// The shortest.
     Shortest,
     /// The one whose smallest slack is largest.
@@ -157,7 +157,7 @@ pub struct Solution<const N: usize> {
     pub margin_of: Condition,
     /// What is left open. The shortest rates are taken; where these break a cone, the rates whose smallest slack is largest.
     pub freedom: Freedom,
-    pub(super) member: Member,
+    pub(in crate::spatial) member: Member,
 }
 
 impl<const N: usize> Solution<N> {
@@ -183,7 +183,7 @@ impl<const N: usize> Answer<N> {
     /// How many solutions are kept.
     pub const KEPT: usize = 8;
 
-    pub(super) const NONE: Self = Self { solutions: [None; 8], count: 0, examined: true };
+    pub(in crate::spatial) const NONE: Self = Self { solutions: [None; 8], count: 0, examined: true };
 
     /// The kept solutions.
     pub fn iter(&self) -> impl Iterator<Item = &Solution<N>> {
@@ -191,7 +191,7 @@ impl<const N: usize> Answer<N> {
     }
 
     /// Takes a solution in, unless one with the same motion is there already. `scale` is the drive's magnitude.
-    pub(super) fn keep(&mut self, solution: Solution<N>, count: usize, scale: f64) {
+    pub(in crate::spatial) fn keep(&mut self, solution: Solution<N>, count: usize, scale: f64) {
         let magnitude = |s: &Solution<N>| s.response[..count].iter().fold(scale, |m: f64, w| m.max(w.norm()));
         let own = magnitude(&solution);
         let same = |other: &Solution<N>| {

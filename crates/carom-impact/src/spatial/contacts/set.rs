@@ -1,11 +1,14 @@
 //! Several contacts of one body in space: velocities and the operator `W = G M⁻¹ Gᵀ`.
 
-use super::{MOST_EXAMINED, Meeting};
+use super::bodies::Meeting;
 use crate::ImpactError;
 use crate::error::outside;
 use crate::tolerance::{INERTIA_EQUALITY, UNIT_LENGTH};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
+
+/// Most contacts of which every hypothesis is tried.
+pub const MOST_EXAMINED: usize = 8;
 
 /// A free rigid body at one instant.
 ///
@@ -176,7 +179,7 @@ fn least_minor(m: Mat3, trace: f64) -> f64 {
 }
 
 impl Touch {
-    pub(super) fn check(&self, contact: usize) -> Result<(), ImpactError> {
+    pub(in crate::spatial) fn check(&self, contact: usize) -> Result<(), ImpactError> {
         let of = |quantity, value, allowed| Err(outside(Some(contact), quantity, value, allowed));
         if !self.arm.is_finite() {
             return of("arm", self.arm.norm(), "finite");
@@ -195,7 +198,7 @@ impl Touch {
     }
 
     /// The contact's frame: rows t₁, t₂, n in world axes.
-    pub(super) fn frame(&self) -> Mat3 {
+    pub(in crate::spatial) fn frame(&self) -> Mat3 {
         let [first, second] = self.normal.tangents();
         Mat3 { rows: [first, second, self.normal] }
     }

@@ -10,7 +10,7 @@
 //! # Source
 //! Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5.
 
-use super::ContactSet;
+use crate::spatial::contacts::set::ContactSet;
 use crate::tolerance::{KEEPING_SLACK, RANK, SAME_MOTION};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
@@ -68,7 +68,7 @@ pub enum Conclusion {
     Several,
     /// None: no motion without sliding exists.
     None,
-    /// None at some stage, where the contact that friction drives in was loaded alone: see [`Ground`](super::Ground).
+    /// None at some stage, where the contact that friction drives in was loaded alone: see [`Ground`](crate::spatial::stages::staged::Ground).
     Forced,
 }
 
@@ -101,7 +101,7 @@ impl<const N: usize> KeptState<N> {
 }
 
 /// The largest of the quotients of tangential and normal impulse.
-pub(super) fn demand<const N: usize>(impulse: &[Vec3; N]) -> f64 {
+pub(in crate::spatial) fn demand<const N: usize>(impulse: &[Vec3; N]) -> f64 {
     let of = |p: &Vec3| {
         let tangential = (p.x * p.x + p.y * p.y).sqrt();
         if tangential == 0.0 {

@@ -1,8 +1,8 @@
 //! What contacts still owe in restitution, by each law.
 
-use super::ContactSet;
 use super::leg::{Goal, Place, StageEvent};
 use crate::Law;
+use crate::spatial::contacts::set::ContactSet;
 
 /// What contacts owe.
 #[derive(Clone, Copy)]

@@ -16,11 +16,12 @@
 //! Routh 1860 and Keller 1986 for one contact; Glocker and Pfeiffer 1995 for the complementarity of several; the walk is that of
 //! [`planar::staged`](crate::planar::staged), with slips that turn.
 
-use super::answer::{Freedom, Mode, Preference};
 use super::leg::StageEvent;
 use super::walk::Walk;
-use super::{ContactSet, RateProblem};
 use crate::Load;
+use crate::spatial::contacts::set::ContactSet;
+use crate::spatial::rates::answer::{Freedom, Mode, Preference};
+use crate::spatial::rates::rate::RateProblem;
 use crate::{ImpactError, Law, Phase};
 use carom_num::Vec3;
 
@@ -107,9 +108,9 @@ pub struct StagedOutcome<const N: usize> {
     /// The law that was used.
     pub law: Law,
     /// Largest number of consistent continuations met: above 1 the walk chose. Each question is widened only until it has an answer
-    /// ([`RateProblem::solve_first`](super::RateProblem::solve_first)).
+    /// ([`RateProblem::solve_first`](crate::spatial::rates::rate::RateProblem::solve_first)).
     pub branches: usize,
-    /// False where other continuations may exist: several contacts at rest could have started to slip. See [`Answer::examined`](super::Answer::examined).
+    /// False where other continuations may exist: several contacts at rest could have started to slip. See [`Answer::examined`](crate::spatial::rates::answer::Answer::examined).
     pub examined: bool,
     /// The largest freedom of any stage. Above [`Freedom::Rates`] the motion depends on how contacts share the load; the shortest rates were
     /// taken.
@@ -139,7 +140,7 @@ impl<const N: usize> StagedOutcome<N> {
     ///
     /// It is at most the friction that the impact was walked with, and equals it where a contact slipped straight all the way.
     pub fn friction_demand(&self) -> f64 {
-        super::non_sliding::demand(&self.impulse)
+        crate::spatial::ends::non_sliding::demand(&self.impulse)
     }
 }
 

@@ -1,11 +1,11 @@
 //! Painlevé's paradox in space: no hypothesis is consistent, and one contact becomes the clock.
 
-use super::answer::Solution;
 use super::leg::{Goal, Leg};
 use super::staged::{Ground, Stage};
 use super::walk::{Purpose, Walk};
 use crate::ImpactError;
 use crate::Load;
+use crate::spatial::rates::answer::Solution;
 use crate::tolerance::REST_IN_PARADOX;
 use carom_num::Vec3;
 

@@ -1,12 +1,12 @@
 //! The walk of several contacts in space through compression and restitution.
 
-use super::ContactSet;
-use super::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
 use super::debt::Debts;
 use super::leg::{Goal, Leg, Place, StageEvent, Walked, modes};
-use super::rate::RateProblem;
 use super::staged::{Ground, Stage, StagedOutcome, Station};
 use crate::Load;
+use crate::spatial::contacts::set::ContactSet;
+use crate::spatial::rates::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
+use crate::spatial::rates::rate::RateProblem;
 use crate::tolerance::{AT_FOLD, AT_REST, NOT_STARTED, STAGE_ZERO, WEDGED_STAGE, WORK_GAINED_IN_SPACE};
 use crate::{ImpactError, Law, Phase};
 use carom_num::Vec3;

@@ -24,7 +24,7 @@ struct Plane {
 
 impl<const N: usize> Hypothesis<'_, N> {
     /// The member of a family whose smallest slack is largest.
-    pub(super) fn middle(&self) -> Option<[Vec3; N]> {
+    pub(in crate::spatial) fn middle(&self) -> Option<[Vec3; N]> {
         let (family, unknowns) = self.family()?;
         let unit = self.ample_rate();
         if family.freedom == 0 || unit == 0.0 {

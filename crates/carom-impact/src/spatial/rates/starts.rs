@@ -29,7 +29,7 @@ const MOST_STEPS: u32 = 24;
 const LONGEST: f64 = 0.5;
 
 /// Directions of all contacts.
-pub(super) type Directions<const N: usize> = [[f64; 2]; N];
+pub(in crate::spatial) type Directions<const N: usize> = [[f64; 2]; N];
 
 impl<const N: usize> RateProblem<'_, N> {
     /// Hands all directions of a hypothesis to `visit`, if it belongs to this search.
