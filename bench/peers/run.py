@@ -197,7 +197,7 @@ def verdicts(path):
 
 def ask(command, *words):
     """What an engine answers."""
-    environment = {**os.environ, "OMP_NUM_THREADS": "1"}
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "RAYON_NUM_THREADS": "1"}
     command = command + [str(word) for word in words]
     answer = subprocess.run(command, check=True, capture_output=True, text=True, env=environment)
     return json.loads(answer.stdout)
@@ -217,6 +217,8 @@ def measure(commands, missing, lists, rounds):
             try:
                 result = results.setdefault((engine, setting), {"seconds": []})
                 advance(result, commands[engine], setting, lists)
+                if engine == "carom":
+                    result.setdefault("maps", []).append(ask(commands[engine], "map", setting))
             except (OSError, ValueError, subprocess.CalledProcessError) as problem:
                 missing[engine] = said(problem)
                 print(f"{engine} is left out: {missing[engine]}", file=sys.stderr)

@@ -1,5 +1,5 @@
 //! `peers-carom drop|impact PART-SETTING FILE`: verdicts and time, or spins, as one line of JSON; `peers-carom boundary`: designs close to the boundary;
-//! `peers-carom hollow FILE`: what becomes of parts with hollows.
+//! `peers-carom map PART-SETTING`: the verdicts of a map of 300 × 300 designs; `peers-carom hollow FILE`: what becomes of parts with hollows.
 //!
 //! Parts: `rod` and `box` (1 mm thick). Settings: `default` is what the project ships, `fast` and `loose` looser tolerances of the integration.
 //! Each drop is checked, made ready and run for its verdict alone, on one thread.
@@ -7,6 +7,7 @@
 mod boundary;
 mod feeders;
 mod hollow;
+mod map;
 
 use carom_motion::planar::Options;
 use feeders::{Design, THICKNESS};
@@ -22,6 +23,10 @@ fn main() -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["boundary"] => boundary::write(),
+        ["map", setting] => {
+            let (thickness, options) = read_setting(setting)?;
+            map::draw(thickness, options)?
+        }
         ["hollow", file] => hollow::write(&read(file)?)?,
         [what @ ("drop" | "impact"), setting, file] => {
             let text = read(file)?;
@@ -33,7 +38,7 @@ fn main() -> Result<(), String> {
                 impacts(&designs, thickness, options)?
             }
         }
-        _ => return Err("usage: peers-carom drop|impact PART-SETTING FILE, peers-carom hollow FILE, or: peers-carom boundary".into()),
+        _ => return Err("usage: peers-carom drop|impact PART-SETTING FILE, peers-carom map PART-SETTING, peers-carom hollow FILE, or: peers-carom boundary".into()),
     }
     Ok(())
 }
