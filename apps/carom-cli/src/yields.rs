@@ -26,7 +26,7 @@ pub(crate) struct YieldOptions {
     /// Independent random points in place of Sobol's: a check of them.
     #[arg(long)]
     pub(crate) plain: bool,
-    /// Locate where drops stop to end as wanted, and say nothing but how surely they do: to about a thousandth, for a hundredth of the drops.
+    /// Locate where drops stop to end as wanted, and say nothing but how surely they do: to about a thousandth, for a tenth to a hundredth of the drops.
     #[arg(long, conflicts_with_all = ["samples", "open"])]
     pub(crate) locate: bool,
     /// With --locate: lines along which that is located; rounded up to 16 times a power of two.

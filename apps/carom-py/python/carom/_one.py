@@ -173,7 +173,7 @@ def locate_yield(
     set: Values | None = None,
     progress: Progress = None,
 ) -> Located:
-    """With what probability drops end as wanted, by where they stop to end so, as ``carom yield --locate`` finds it: for a hundredth of the drops.
+    """With what probability drops end as wanted, by where they stop to end so, as ``carom yield --locate`` finds it: for a tenth to a hundredth of the drops.
 
     Along ``lines`` lines at least, of the one quantity that decides most often, it is located where drops stop to end as wanted; a surface is
     fitted to these places, and its mean is corrected by what the lines say. The interval does not hold windows that no line met:

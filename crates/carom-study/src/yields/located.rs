@@ -20,7 +20,7 @@ use rayon::prelude::*;
 /// Where lines are asked at first: at their ends but for a millionth, and between. At the very ends a quantity that is spread normally is infinite.
 const NODES: [f64; 5] = [1e-6, 0.25, 0.5, 0.75, 1.0 - 1e-6];
 /// How short the piece of a line is in which a change is left.
-const WITHIN: f64 = 1.0 / 128.0;
+const WITHIN: f64 = 1.0 / 256.0;
 /// Changes that are followed between two nodes.
 const MOST_CHANGES: usize = 4;
 /// Lines along each quantity that are asked at some nodes, to see which quantity decides.
