@@ -163,14 +163,14 @@ impl<V: Vector> Estimates<V> {
         let fifth = squares(&self.fifth);
         let both = fifth + 0.01 * squares(&self.third);
         #[expect(clippy::cast_precision_loss, reason = "a handful")]
-        let count = V::COUNT as f64;
+        let all = V::COUNT as f64 * both;
         // A NaN must come out as it is, and a sum that overflows must not divide a finite one to zero: such steps are refused.
         if both == 0.0 {
             0.0
-        } else if both == f64::INFINITY {
-            both
+        } else if all == f64::INFINITY {
+            all
         } else {
-            fifth / (count * both).sqrt()
+            fifth / all.sqrt()
         }
     }
 }

@@ -151,3 +151,13 @@ fn a_step_without_error_grows_five_times_and_one_that_is_not_finite_is_no_good()
     let wild = Estimates { fifth: [1e100], third: [1e200] };
     assert_eq!(wild.scaled(&[1.0]), f64::INFINITY, "nor one whose squares overflow");
 }
+
+/// A step whose error has left the range of numbers is refused, also where only the mean of its squares has: the sum below is a number, six times it is none.
+#[test]
+fn an_error_beyond_all_numbers_is_never_small() {
+    for size in [1e150, 1e153, 5e153, 1e154, 1e160, 1e308] {
+        let huge = Estimates { fifth: [size; 6], third: [0.0; 6] };
+        let error = huge.scaled(&[1.0; 6]);
+        assert!(error >= 1e150, "{size:e}: {error:e}");
+    }
+}
