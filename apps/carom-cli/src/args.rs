@@ -307,13 +307,13 @@ pub(crate) struct MapOptions {
     /// The plate to look at, by name or number from 0 [default: the last].
     #[arg(long, value_name = "PLATE")]
     pub(crate) plate: Option<String>,
-    /// How finely boundaries are located, as a share of the axes [default: 1e-7; with --cells a tenth of a cell].
+    /// How finely boundaries are located, as a share of the axes [default: 1e-7; with --cells a tenth of a cell, and never coarser than that].
     #[arg(long, value_name = "SHARE")]
     pub(crate) accuracy: Option<f64>,
     /// How often a cell is halved where something in it does not fit.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=8))]
     pub(crate) depth: u32,
-    /// Say how the drop at the middle of every cell ends as well: boundaries are followed on a grid eight times as coarse, and drops beside them.
+    /// Say how the drop at the middle of every cell ends as well. Boundaries are followed on a grid eight times as coarse; only cells beside a boundary have a drop of their own.
     #[arg(long)]
     pub(crate) cells: bool,
 }

@@ -29,7 +29,7 @@ pub(crate) struct YieldOptions {
     /// Locate where drops stop to end as wanted, and say nothing but how surely they do: to about a thousandth, for a tenth to a hundredth of the drops.
     #[arg(long, conflicts_with_all = ["samples", "open"])]
     pub(crate) locate: bool,
-    /// With --locate: lines along which that is located; rounded up to 16 times a power of two.
+    /// With --locate: how many lines are searched for the places where the ending changes; rounded up to 16 times a power of two.
     #[arg(long, default_value_t = LINES, requires = "locate", value_parser = clap::value_parser!(u64).range(16..=1 << 18))]
     pub(crate) lines: u64,
     /// What every random number comes from: the same seed gives the same result.
@@ -68,7 +68,7 @@ fn located(varied: &Varied<'_>, plan: Plan, output: &Output, out: &mut impl Writ
         .map_err(|error| Failure::Usage(format!("{name}: {error}")))?;
     let seconds = progress.seconds();
     drop(progress);
-    let summary = found.summary(spent(found.drops(), seconds));
+    let summary = found.summary(spent(found.drops, seconds));
     let summary = format!("{}\n", serde_json::to_string_pretty(&summary)?);
     let written = files::write(&output.folder(name), "yield-located.json", &summary)?;
     match output.format {

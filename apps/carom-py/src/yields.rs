@@ -79,7 +79,7 @@ pub(crate) fn located(
         (LocatedYield::of(&varied, plan, || watch.step()), carom_study::threads())
     })?;
     let found = found.map_err(|error| refused(py, scene)(&error))?;
-    let json = pretty(&found.summary(spent(found.drops(), begun, threads)))?;
+    let json = pretty(&found.summary(spent(found.drops, begun, threads)))?;
     Ok((json, std::collections::BTreeMap::new()))
 }
 

@@ -24,6 +24,9 @@ pub enum RunError {
     Motion(#[from] MotionError),
 }
 
+/// So far above the part, as a share of its size, it is told on which side of each plate it starts.
+const ABOVE: f64 = 1e-3;
+
 /// A feeder that was checked and turned into a world, ready for any number of runs.
 #[derive(Clone, Debug)]
 pub struct Prepared<'f> {
@@ -47,8 +50,9 @@ impl Feeder {
         if !crossing.is_empty() {
             return Err(RunError::Problems(crossing));
         }
-        let up = -world.gravity;
-        let sides = world.obstacles.iter().map(|o| o.direction().turned_left().dot(up) > 0.0).collect();
+        // A rod without thickness lies on what it starts on: a little above it is its side.
+        let above = start.pose.centre + self.start_normal() * (ABOVE * self.part.body.shape.size());
+        let sides = world.obstacles.iter().map(|o| o.is_left_of(above)).collect();
         Ok(Prepared { feeder: self, world, start, sides, options })
     }
 
@@ -142,8 +146,7 @@ impl Feeder {
     /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
     pub fn start_state(&self) -> State {
         let Some((foot, downhill)) = self.start_place() else { return State::default() };
-        let left = downhill.turned_left();
-        let normal = if left.y >= 0.0 { left } else { -left };
+        let normal = self.start_normal();
         let shape = &self.part.body.shape;
         let (height, angle) = if self.part.kind == PartKind::Disc {
             (shape.radius(), 0.0)
@@ -159,6 +162,12 @@ impl Feeder {
             pose: Pose { centre, angle },
             twist: Twist { velocity: downhill * self.start.speed, spin: 0.0 },
         }
+    }
+
+    /// Out of the stretch on which the part starts, upwards.
+    fn start_normal(&self) -> Vec2 {
+        let left = self.start_place().map_or(Vec2::new(0.0, 1.0), |(_, downhill)| downhill.turned_left());
+        if left.y >= 0.0 { left } else { -left }
     }
 
     /// Plates and walls that cross the part where it starts.

@@ -10,7 +10,7 @@
 
 mod paper;
 
-use carom_feeder::{Run, Stage, StageName, Verdict};
+use carom_feeder::{Outcome, Run, Stage, StageName, Verdict};
 use carom_motion::planar::trace::PieceEnd;
 use carom_motion::planar::{ChainPoint, State};
 use carom_num::Vec2;
@@ -174,6 +174,61 @@ fn a_rod_on_a_bent_plate_keeps_to_its_side() {
             }
         }
     }
+}
+
+/// A rod that starts above a bend, steeper below, slides over it: at the kink, or along the arc, it touches both stretches, and neither from below.
+#[test]
+fn a_rod_slides_over_a_bend_of_its_plate() {
+    for (slope_deg, turn) in [(19.4, 0.19), (25.5, 0.13), (33.1, 0.08)] {
+        let mut bent = paper::feeder(slope_deg, (0.428, 0.3), 0.0);
+        bent.plates.iter_mut().for_each(|plate| plate.friction = 0.1);
+        let upper = &mut bent.plates[0];
+        let (kink, edge) = (upper.uphill * 0.6, upper.edge);
+        let way = Vec2::at_angle(turn);
+        upper.uphill = kink + (kink - edge).rotated(way.x, way.y) * 2.0;
+        upper.unbounded = false;
+        let top = upper.uphill;
+        for arc in [0.0, 0.05] {
+            // The arc turns from one stretch to the other, and is tangent to both.
+            let [before, after] = [top - kink, edge - kink].map(|to| kink + to.unit().unwrap() * arc);
+            let course = match arc {
+                0.0 => vec![top, kink, edge].into_iter().map(ChainPoint::straight).collect(),
+                _ => vec![
+                    ChainPoint::straight(top),
+                    ChainPoint { at: before, sweep: -turn },
+                    ChainPoint::straight(after),
+                    ChainPoint::straight(edge),
+                ],
+            };
+            bent.plates[0].form.course = course;
+            for to_edge in [0.36, 0.3703, 0.3813, 0.4] {
+                bent.start.to_edge = to_edge;
+                let run = bent.run().unwrap();
+                let slides = run.stages.iter().filter(|stage| stage.name == StageName::Slide).count();
+                assert!(
+                    slides >= 1 && run.effort.events < 500,
+                    "{slope_deg}°, {to_edge} m, arc {arc}: {run:?}"
+                );
+                assert!(run.landings.iter().any(|landing| landing.plate == 1), "it comes to the lower plate");
+            }
+        }
+    }
+}
+
+/// A plate whose first stretch runs the other way: the line from its first to its last point says nothing of its sides.
+#[test]
+fn a_rod_starts_on_the_upper_side_of_a_hook() {
+    let mut hook = paper::feeder(14.0, (0.428, 0.3), 0.0);
+    let upper = &mut hook.plates[0];
+    let expected = paper::feeder(14.0, (0.428, 0.3), 0.0).run().unwrap();
+    let corner = upper.uphill + Vec2::new(0.0, 0.15);
+    upper.form.course =
+        [corner + Vec2::new(0.6, 0.0), corner, upper.uphill, upper.edge].map(ChainPoint::straight).into();
+    upper.uphill = corner + Vec2::new(0.6, 0.0);
+    upper.unbounded = false;
+    let run = hook.run().unwrap();
+    let off = (run.end_time - expected.end_time).abs();
+    assert!(off <= BAR, "it ends {off:e} s off: {:?}", run.stages.iter().map(|s| s.name).collect::<Vec<_>>());
 }
 
 #[test]

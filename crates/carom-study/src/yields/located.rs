@@ -43,6 +43,8 @@ pub struct Located {
     pub unseen: f64,
     /// Along which quantity the boundary was located.
     pub along: usize,
+    /// How many of the lines change.
+    pub changed: u64,
     /// How many drops were followed.
     pub drops: u64,
 }
@@ -53,6 +55,8 @@ struct Line {
     others: Vec<f64>,
     share: f64,
     change: Option<(f64, bool)>,
+    /// Whether the ending changes on it at all.
+    changes: bool,
     /// Whether it was checked, and whether the check surprised.
     check: Option<bool>,
     drops: u64,
@@ -62,7 +66,7 @@ struct Line {
 /// should.
 ///
 /// # Limits
-/// The interval is Student's over the repetitions. It does not hold what neither nodes nor checks see: a window of
+/// The interval is Student's over the repetitions; where hardly a line changes it is at least as wide as Wilson's of independent lines. It does not hold what neither nodes nor checks see: a window of
 /// a hundredth of each line, between nodes, is met by none of 16 checks in 85 of 100 seeds. At most 2¹⁴ lines in a repetition.
 ///
 /// # Errors
@@ -106,12 +110,24 @@ pub fn locate(plan: &Plan, wanted: impl Fn(&[f64]) -> bool + Sync) -> Result<Loc
     };
     let each: Vec<f64> = repetitions.par_iter().enumerate().panic_fuse().map(differs).collect();
     let share = each.iter().sum::<f64>() / each.len() as f64;
-    let wanted = Estimate { count: found.len() as u64, ..Estimate::about(share.clamp(0.0, 1.0), &each) };
+    let mut wanted = Estimate { count: found.len() as u64, ..Estimate::about(share.clamp(0.0, 1.0), &each) };
+    // Where hardly a line changes, the repetitions are too much alike to tell the spread.
+    let changed = found.iter().filter(|line| line.changes).count();
+    if changed < REPETITIONS {
+        let [low, high] = wilson(wanted.share, found.len() as f64);
+        (wanted.low, wanted.high) = (wanted.low.min(low.max(0.0)), wanted.high.max(high.min(1.0)));
+    }
     let checks = found.iter().filter_map(|line| line.check);
     let (checked, surprises) =
         (checks.clone().count() as f64, checks.filter(|surprises| *surprises).count() as f64);
     let unseen = if checked > 0.0 { wilson(surprises / checked, checked)[1] } else { 1.0 };
-    Ok(Located { wanted, unseen, along, drops: trials + found.iter().map(|line| line.drops).sum::<u64>() })
+    Ok(Located {
+        wanted,
+        unseen,
+        along,
+        changed: changed as u64,
+        drops: trials + found.iter().map(|line| line.drops).sum::<u64>(),
+    })
 }
 
 /// The boundary, from the lines that change once, the way that most of them do.
@@ -167,7 +183,14 @@ impl Line {
             [below, above] => Some((0.5 * (below.last + above.first), below.label)),
             _ => None,
         };
-        let mut line = Self { others, share: 0.0, change, check: None, drops: found.evaluations as u64 };
+        let mut line = Self {
+            others,
+            share: 0.0,
+            change,
+            changes: pieces.len() > 1,
+            check: None,
+            drops: found.evaluations as u64,
+        };
         let whole = |is: bool| f64::from(u8::from(is));
         for (k, piece) in pieces.iter().enumerate() {
             // The ends of the line belong to the pieces there.

@@ -14,6 +14,22 @@ impl Obstacle {
         face >= self.shape().faces() / 2
     }
 
+    /// True where a point lies on the left of what has no thickness, by the nearest stretch of it; of anything else true.
+    ///
+    /// # Example
+    /// A hook: its first stretch runs to the left, so that its left is below.
+    /// ```
+    /// use carom_motion::planar::{ChainPoint, Obstacle, Shape};
+    /// use carom_num::Vec2;
+    /// let at = |x, y| ChainPoint::straight(Vec2::new(x, y));
+    /// let hook = Shape::of_open_chain(&[at(1.0, 1.0), at(-1.0, 1.0), at(-1.0, 0.0), at(3.0, 0.0)]).unwrap();
+    /// let hook = Obstacle::of_shape(hook, 0.3, 0.0);
+    /// assert!(hook.is_left_of(Vec2::new(0.0, 0.9)) && !hook.is_left_of(Vec2::new(0.0, 1.1)));
+    /// ```
+    pub fn is_left_of(&self, point: Vec2) -> bool {
+        !self.is_thin() || self.off_to_left(point) > 0.0
+    }
+
     /// How far a point lies to the left of the nearest stretch of what has no thickness [m], negative to the right; 0 where that cannot be told. Beyond
     /// its ends a straight stretch counts as going on.
     pub(in crate::planar) fn off_to_left(&self, point: Vec2) -> f64 {
@@ -49,23 +65,18 @@ impl Obstacle {
         off
     }
 
-    /// Of what has no thickness: the side that a pair touches it from, and the faces beside the place.
-    fn side_of(&self, feature: Feature, outward: impl Fn(usize) -> Vec2) -> Option<(bool, [usize; 2])> {
+    /// The side of what has no thickness that a pair touches it from: left or not.
+    fn side_of(&self, feature: Feature, outward: impl Fn(usize) -> Vec2) -> Option<bool> {
         let (shape, to) = (self.shape(), self.shape().faces() / 2);
         match feature {
-            Feature::VertexOnFace { face, .. } => Some((self.is_left(face), [face; 2])),
-            Feature::FaceOnEnd { face, end } => {
-                let beside = [shape.face_before(end), end];
-                // At an end both sides meet: the one counts that the rod's own face looks at.
-                let left = if end == 0 || end == to {
-                    let left = beside[usize::from(end == to)];
-                    shape.face_normal(left).dot(outward(face)) < 0.0
-                } else {
-                    end > to
-                };
-                Some((left, beside))
+            Feature::VertexOnFace { face, .. } => Some(self.is_left(face)),
+            // At an end both sides meet: the one counts that the rod's own face looks at.
+            Feature::FaceOnEnd { face, end } if end == 0 || end == to => {
+                let left = if end == to { end } else { shape.face_before(end) };
+                Some(shape.face_normal(left).dot(outward(face)) < 0.0)
             }
-            Feature::VertexOnEnd { .. } => None,
+            Feature::VertexOnEnd { end, .. } if end == 0 || end == to => None,
+            Feature::FaceOnEnd { end, .. } | Feature::VertexOnEnd { end, .. } => Some(end > to),
         }
     }
 }
@@ -75,10 +86,10 @@ impl World {
     pub(in crate::planar) fn side_touched(&self, turn: Turn, pair: Pairing) -> Option<bool> {
         let o = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin())?;
         let shape = &self.body_of(pair).shape;
-        o.side_of(pair.feature, |face| turn.apply(shape.face_normal(face))).map(|(left, _)| left)
+        o.side_of(pair.feature, |face| turn.apply(shape.face_normal(face)))
     }
 
-    /// True for a pair that touches from the other side than the one on which a rod is known to lie, in line with the obstacle up to `reach` [m].
+    /// True for a pair that touches from the other side than the one on which a rod is known to lie, at a place of a stretch with which the rod is in line up to `reach` [m].
     pub(in crate::planar) fn is_across(
         &self,
         (states, turns): (&[State], &[Turn]),
@@ -86,23 +97,29 @@ impl World {
         left: bool,
         reach: f64,
     ) -> bool {
-        let shape = &self.body_of(pair).shape;
-        let Some(o) = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin() && shape.is_thin_rod()) else {
+        let rod = &self.body_of(pair).shape;
+        let Some(o) = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin() && rod.is_thin_rod()) else {
             return false;
         };
-        let (turn, centre) = (turns[pair.body], states[pair.body].pose.centre);
-        let Some((touches_left, beside)) =
-            o.side_of(pair.feature, |face| turn.apply(shape.face_normal(face)))
-        else {
+        let (turn, centre, met) = (turns[pair.body], states[pair.body].pose.centre, o.shape());
+        let outward = |face: usize| turn.apply(rod.face_normal(face));
+        if o.side_of(pair.feature, outward).is_none_or(|touched| touched == left) {
             return false;
+        }
+        let at = |vertex: usize| centre + turn.apply(rod.vertices()[vertex]);
+        let place = match pair.feature {
+            Feature::VertexOnFace { vertex, .. } | Feature::VertexOnEnd { vertex, .. } => at(vertex),
+            Feature::FaceOnEnd { face, end } => met.vertices()[end] - outward(face) * met.radius_of(end),
         };
-        let in_line = |face: usize| {
-            let (normal, from) = (o.shape().face_normal(face), o.shape().vertices()[face]);
-            let off = |v: &Vec2| normal.dot(centre + turn.apply(*v) - from) - o.shape().radius_of(face);
-            o.shape().face_length(face) > 0.0
-                && shape.vertices().iter().all(|v| off(v).abs() <= IN_LINE * reach)
-        };
-        touches_left != left && beside.into_iter().any(in_line)
+        let slack = IN_LINE * reach;
+        let stretches = (met.faces() / 2..met.faces()).filter(|face| met.face_length(*face) > 0.0);
+        stretches.into_iter().any(|face| {
+            let (normal, from) = (met.face_normal(face), met.vertices()[face]);
+            let off = |point: Vec2| (normal.dot(point - from) - met.radius_of(face)).abs();
+            let along = normal.turned_left().dot(place - from);
+            let in_line = (0..rod.vertices().len()).all(|vertex| off(at(vertex)) <= slack);
+            in_line && along >= -slack && along <= met.face_length(face) + slack
+        })
     }
 }
 

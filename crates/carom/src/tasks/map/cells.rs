@@ -6,7 +6,7 @@ use carom_scene::{CellsEndingReport, CellsReport, EndingWord};
 use carom_study::Ending;
 use carom_study::regions::Range;
 use carom_words::study;
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// Cells of a map.
 ///
@@ -43,6 +43,11 @@ impl MapCells {
         self.labels.iter().filter(|label| **label == ending).count()
     }
 
+    /// Every ending that a cell has.
+    pub fn endings(&self) -> Vec<Ending> {
+        self.labels.iter().copied().collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
     /// The middle of each cell, as it is shown, and how it ends.
     fn each(&self) -> impl Iterator<Item = ([f64; 2], Ending)> {
         let middle = |axis: usize, k: usize| {
@@ -55,11 +60,9 @@ impl MapCells {
     }
 
     pub(super) fn report(&self) -> CellsReport {
-        let mut counted = BTreeMap::new();
-        self.labels.iter().for_each(|ending| *counted.entry(*ending).or_insert(0) += 1);
         let [columns, rows] = self.counts();
-        let endings = counted.into_iter();
-        let endings = endings.map(|(ending, cells)| CellsEndingReport { ending: EndingWord(ending), cells });
+        let counted = |ending| CellsEndingReport { ending: EndingWord(ending), cells: self.of(ending) };
+        let endings = self.endings().into_iter().map(counted);
         CellsReport { columns, rows, endings: endings.collect() }
     }
 }

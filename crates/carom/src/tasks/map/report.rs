@@ -7,6 +7,7 @@ use crate::tasks::tolerance::ON_A_LINE;
 use carom_figure::regions_csv;
 use carom_scene::columns::{Column, ColumnsError, Table};
 use carom_scene::{MapReport, RegionsAxisReport, SpanReport, StudyRunReport};
+use carom_study::Ending;
 use carom_study::map::Node;
 use carom_words::number::{ascii as fixed, plain};
 use carom_words::{aligned, part, study};
@@ -35,6 +36,18 @@ impl MapStudy<'_> {
             row.extend(cells.map(|cells| cells.of(share.label).to_string()));
             row
         }));
+        // Single cells beside a boundary may end as no node and no region does.
+        let own = |ending: &Ending| regions.shares.iter().all(|share| share.label != *ending);
+        for ending in cells.map(MapCells::endings).into_iter().flatten().filter(own) {
+            let count = cells.map_or(0, |cells| cells.of(ending)).to_string();
+            rows.push(vec![
+                name(ending).short,
+                drawn.map.words(ending),
+                fixed(0.0, 2),
+                "0".to_owned(),
+                count,
+            ]);
+        }
         text += &aligned(&rows);
         // Writing to a String cannot fail.
         let _ = writeln!(

@@ -24,7 +24,7 @@ pub struct MapAsked<'a> {
     pub set: &'a [String],
     /// The plate to look at, by name or number from 0; the last where none is named.
     pub plate: Option<&'a str>,
-    /// How finely boundaries are located, as a share of the axes; where nothing is said 10⁻⁷, or with `cells` a tenth of a cell.
+    /// How finely boundaries are located, as a share of the axes; where nothing is said 10⁻⁷, or with `cells` a tenth of a cell, which then is the coarsest.
     pub accuracy: Option<f64>,
     /// How often a cell is halved where something in it does not fit.
     pub depth: u32,

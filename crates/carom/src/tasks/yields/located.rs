@@ -7,7 +7,9 @@ use carom_scene::{LocatedReport, LocatedShareReport, Scene, StudyRunReport, Vari
 use carom_study::yields::{Located, Plan, YieldError, locate};
 use carom_study::{Dropped, Ending};
 use carom_words::study::percent;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::sync::{Mutex, PoisonError};
 
 /// Lines along which the boundary is located where nothing else is said.
 pub const LINES: u64 = 128;
@@ -22,7 +24,7 @@ pub const LINES: u64 = 128;
 /// let varied = scene.varied()?;
 /// let plan = YieldStudy::plan(&varied, LINES, 1, Points::Sobol, 1);
 /// let found = LocatedYield::of(&varied, plan, || {}).unwrap();
-/// assert!(found.wanted.wanted.share > 0.99 && found.drops() < 2000);
+/// assert!(found.wanted.wanted.share > 0.99 && found.drops < 2000);
 /// assert!(found.text(0.1).contains("end as wanted"));
 /// # Ok::<(), carom::Error>(())
 /// ```
@@ -37,6 +39,8 @@ pub struct LocatedYield<'s> {
     pub wanted: Located,
     /// How surely it keeps the limits of `[design]` as well; `None` where there are none.
     pub kept: Option<Located>,
+    /// Drops in all.
+    pub drops: usize,
 }
 
 impl<'s> LocatedYield<'s> {
@@ -47,26 +51,35 @@ impl<'s> LocatedYield<'s> {
     pub fn of(varied: &'s Varied<'s>, plan: Plan, step: impl Fn() + Sync) -> Result<Self, YieldError> {
         let scene = varied.scene();
         let middle = middle(scene, &plan);
-        let share = |also: &(dyn Fn(&Run) -> bool + Sync)| {
-            locate(&plan, |point| {
-                let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &Options::default());
-                step();
-                dropped.run.is_some_and(|run| met(scene, plan.plate, middle, &run) && also(&run))
-            })
+        let limits = limits(scene);
+        // Both shares ask at the same places, as long as the same quantity decides.
+        let known: Mutex<BTreeMap<Vec<u64>, [bool; 2]>> = Mutex::default();
+        // Only a thread that panics poisons a lock, and its panic goes on.
+        let open = || known.lock().unwrap_or_else(PoisonError::into_inner);
+        let ends = |point: &[f64]| {
+            let place: Vec<u64> = point.iter().map(|u| u.to_bits()).collect();
+            if let Some(ends) = open().get(&place) {
+                return *ends;
+            }
+            let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &Options::default());
+            step();
+            let run = dropped.run.filter(|run| met(scene, plan.plate, middle, run));
+            let keeps = |run: &Run| limits.is_none_or(|limits| limits.keeps(run));
+            let ends = [run.is_some(), run.as_ref().is_some_and(keeps)];
+            if limits.is_some() {
+                open().insert(place, ends);
+            }
+            ends
         };
-        let wanted = share(&|_| true)?;
-        let kept = limits(scene).map(|limits| share(&|run| limits.keeps(run))).transpose()?;
-        Ok(Self { varied, plan, middle, wanted, kept })
-    }
-
-    /// Drops in all.
-    pub fn drops(&self) -> usize {
-        (self.wanted.drops + self.kept.map_or(0, |kept| kept.drops)) as usize
+        let wanted = locate(&plan, |point| ends(point)[0])?;
+        let kept = limits.map(|_| locate(&plan, |point| ends(point)[1])).transpose()?;
+        let drops = if limits.is_some() { open().len() } else { wanted.drops as usize };
+        Ok(Self { varied, plan, middle, wanted, kept, drops })
     }
 
     /// What it says to a person.
     pub fn text(&self, seconds: f64) -> String {
-        let (scene, lines) = (self.varied.scene(), self.wanted.wanted.count);
+        let scene = self.varied.scene();
         let [share, interval] = percent(&self.wanted.wanted);
         let wanted = wanted(scene, self.plan.plate, self.middle);
         let mut text = format!("{}: {share} % end as wanted ({interval}): {wanted}\n", scene.name());
@@ -74,19 +87,11 @@ impl<'s> LocatedYield<'s> {
             let [share, interval] = percent(&kept.wanted);
             text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");
         }
-        let along = self.path(&self.wanted);
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            text,
-            "\nlocated along {lines} lines of {}, where drops stop to end as wanted",
-            labelled(&along)
-        );
-        let _ = writeln!(
-            text,
-            "one more drop on each line checked it: at most {:.1} % of all drops may end otherwise than their line says, and what no check met is not in the interval",
-            100.0 * self.wanted.unseen
-        );
-        let _ = writeln!(text, "{} drops, seed {}, {seconds:.2} s\n", self.drops(), self.plan.seed);
+        text.push('\n');
+        for found in std::iter::once(&self.wanted).chain(self.kept.as_ref()) {
+            text += &self.how(found);
+        }
+        let _ = writeln!(text, "{} drops, seed {}, {seconds:.2} s\n", self.drops, self.plan.seed);
         text
     }
 
@@ -112,6 +117,17 @@ impl<'s> LocatedYield<'s> {
             seed: self.plan.seed,
             run,
         }
+    }
+
+    /// How a share was located, and what is not in its interval.
+    fn how(&self, found: &Located) -> String {
+        let (lines, changed) = (found.wanted.count, found.changed);
+        let along = self.path(found);
+        format!(
+            "{changed} of {lines} lines of {} change their ending, and the places were located. Each line was checked with one more drop: at most {:.1} % of all drops may end otherwise than their line says. The interval does not contain this.\n",
+            labelled(&along),
+            100.0 * found.unseen
+        )
     }
 
     /// The quantity along which a boundary was located.
