@@ -10,7 +10,7 @@
 
 mod paper;
 
-use carom_feeder::{Outcome, Run, Stage, StageName, Verdict};
+use carom_feeder::{Run, Stage, StageName, Verdict};
 use carom_motion::planar::trace::PieceEnd;
 use carom_motion::planar::{ChainPoint, State};
 use carom_num::Vec2;
