@@ -88,9 +88,11 @@ impl<'s> LocatedYield<'s> {
             text += &format!("{share} % end as wanted within the limits of [design] ({interval})\n");
         }
         text.push('\n');
-        for found in std::iter::once(&self.wanted).chain(self.kept.as_ref()) {
-            text += &self.how(found);
-        }
+        let how = self.how(&self.wanted);
+        // Both are often located alike: that is said once.
+        let other = self.kept.as_ref().map(|kept| self.how(kept)).filter(|other| *other != how);
+        text += &how;
+        text += &other.unwrap_or_default();
         let _ = writeln!(text, "{} drops, seed {}, {seconds:.2} s\n", self.drops, self.plan.seed);
         text
     }
