@@ -51,7 +51,8 @@ impl Feeder {
             return Err(RunError::Problems(crossing));
         }
         // A rod without thickness lies on what it starts on: a little above it is its side.
-        let above = start.pose.centre + self.start_normal() * (ABOVE * self.part.body.shape.size());
+        let normal = self.start_place().map_or(Vec2::ZERO, |(_, downhill)| upward(downhill));
+        let above = start.pose.centre + normal * (ABOVE * self.part.body.shape.size());
         let sides = world.obstacles.iter().map(|o| o.is_left_of(above)).collect();
         Ok(Prepared { feeder: self, world, start, sides, options })
     }
@@ -146,7 +147,7 @@ impl Feeder {
     /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
     pub fn start_state(&self) -> State {
         let Some((foot, downhill)) = self.start_place() else { return State::default() };
-        let normal = self.start_normal();
+        let normal = upward(downhill);
         let shape = &self.part.body.shape;
         let (height, angle) = if self.part.kind == PartKind::Disc {
             (shape.radius(), 0.0)
@@ -162,12 +163,6 @@ impl Feeder {
             pose: Pose { centre, angle },
             twist: Twist { velocity: downhill * self.start.speed, spin: 0.0 },
         }
-    }
-
-    /// Out of the stretch on which the part starts, upwards.
-    fn start_normal(&self) -> Vec2 {
-        let left = self.start_place().map_or(Vec2::new(0.0, 1.0), |(_, downhill)| downhill.turned_left());
-        if left.y >= 0.0 { left } else { -left }
     }
 
     /// Plates and walls that cross the part where it starts.
@@ -192,6 +187,12 @@ impl Feeder {
         let kind = if obstacle < self.plates.len() { "plate" } else { "wall" };
         format!("{kind}.{}", self.obstacle_name(obstacle))
     }
+}
+
+/// Out of a stretch of this direction, upwards.
+fn upward(direction: Vec2) -> Vec2 {
+    let left = direction.turned_left();
+    if left.y >= 0.0 { left } else { -left }
 }
 
 fn wall(wall: &Wall) -> Result<Obstacle, FormProblem> {

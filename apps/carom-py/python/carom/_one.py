@@ -154,9 +154,7 @@ def yield_(
     >>> 0.5 < found.yield_.share <= 1
     True
     """
-    samples = within("samples", samples, 16, 1 << 34)
-    seed = within("seed", seed, 0, (1 << 64) - 1)
-    asks = {"samples": samples, "seed": seed, "plain": bool(plain), "plate": None if plate is None else str(plate)}
+    asks = _sampling(within("samples", samples, 16, 1 << 34), seed, plate, plain)
     inner = scene_of(scene, set)
     with Told(progress) as hear:
         answer = _carom.yields(inner, asks, hear) if client is None else _yield_of(inner, asks, client, hear)
@@ -186,15 +184,16 @@ def locate_yield(
     >>> found.high - found.low < 0.002
     True
     """
-    asks = {
-        "samples": within("lines", lines, 16, 1 << 18),
-        "seed": within("seed", seed, 0, (1 << 64) - 1),
-        "plain": bool(plain),
-        "plate": None if plate is None else str(plate),
-    }
+    asks = _sampling(within("lines", lines, 16, 1 << 18), seed, plate, plain)
     inner = scene_of(scene, set)
     with Told(progress) as hear:
         return Located._of(_carom.located(inner, asks, hear), "yield-located.json")
+
+
+def _sampling(count: int, seed: int, plate: str | int | None, plain: bool) -> dict[str, Any]:
+    """What is asked of a yield: of so many samples, or lines."""
+    seed = within("seed", seed, 0, (1 << 64) - 1)
+    return {"samples": count, "seed": seed, "plain": bool(plain), "plate": None if plate is None else str(plate)}
 
 
 def _yield_of(

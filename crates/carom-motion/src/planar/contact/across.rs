@@ -2,7 +2,7 @@
 
 use super::World;
 use super::kinematics::{Pairing, Turn};
-use crate::planar::geometry::{Feature, Obstacle, State};
+use crate::planar::geometry::{Behind, Feature, Obstacle, State};
 use carom_num::Vec2;
 
 /// Rods whose ends are this many times as far from a line as counts as touching are in line with it.
@@ -41,52 +41,50 @@ impl Obstacle {
                 (nearest, off) = (distance, to_left);
             }
         };
-        for face in (first..count).filter(|face| shape.face_length(*face) > 0.0) {
-            let (normal, from) = (shape.face_normal(face), point - shape.vertices()[face]);
-            let (along, length) = (normal.turned_left().dot(from), shape.face_length(face));
-            let beyond = (-along).max(along - length).max(0.0);
-            let open = if along < 0.0 { face == first } else { face + 1 == count };
-            let to_left = normal.dot(from) - shape.radius_of(face);
-            if beyond == 0.0 || open {
-                take(Vec2::new(beyond, to_left).norm(), to_left);
+        shape.each_depth(point, |piece, depth, _| {
+            let on_left = match piece {
+                Behind::Face(face) => face >= first,
+                Behind::Vertex(vertex) => vertex > first,
+            };
+            if on_left {
+                take(depth.abs(), -depth);
             }
-        }
-        for vertex in first + 1..count {
-            let (from, radius) = (point - shape.vertices()[vertex], shape.radius_of(vertex));
-            let distance = from.norm();
-            if radius == 0.0 {
-                // What is nearest to a corner lies where the corner points to.
-                take(distance, if shape.is_hollow(vertex) { -distance } else { distance });
-            } else if shape.normals_hold(vertex, from * radius.signum()) {
-                let to_left = radius.signum() * distance - radius;
-                take(to_left.abs(), to_left);
+        });
+        for (face, from_start) in [(first, true), (count - 1, false)] {
+            let (normal, length, from) =
+                (shape.face_normal(face), shape.face_length(face), point - shape.vertices()[face]);
+            let along = normal.turned_left().dot(from);
+            let beyond = if from_start { -along } else { along - length };
+            if length > 0.0 && beyond > 0.0 {
+                let to_left = normal.dot(from) - shape.radius_of(face);
+                take(Vec2::new(beyond, to_left).norm(), to_left);
             }
         }
         off
     }
+}
 
-    /// The side of what has no thickness that a pair touches it from: left or not.
-    fn side_of(&self, feature: Feature, outward: impl Fn(usize) -> Vec2) -> Option<bool> {
-        let (shape, to) = (self.shape(), self.shape().faces() / 2);
-        match feature {
-            Feature::VertexOnFace { face, .. } => Some(self.is_left(face)),
+impl World {
+    /// The side of an obstacle on which a body is known to be, by a list of all sides: left of its direction or not.
+    pub(in crate::planar) fn side(&self, sides: &[bool], (body, obstacle): (usize, usize)) -> Option<bool> {
+        sides.get(self.place(body, obstacle)).copied()
+    }
+
+    /// The side of a pair's obstacle that the pair touches it from, left or not; `None` where it has a thickness, or the pair does not tell.
+    pub(in crate::planar) fn side_touched(&self, turn: Turn, pair: Pairing) -> Option<bool> {
+        let o = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin())?;
+        let (met, to) = (o.shape(), o.shape().faces() / 2);
+        match pair.feature {
+            Feature::VertexOnFace { face, .. } => Some(o.is_left(face)),
             // At an end both sides meet: the one counts that the rod's own face looks at.
             Feature::FaceOnEnd { face, end } if end == 0 || end == to => {
-                let left = if end == to { end } else { shape.face_before(end) };
-                Some(shape.face_normal(left).dot(outward(face)) < 0.0)
+                let left = if end == to { end } else { met.face_before(end) };
+                let outward = turn.apply(self.body_of(pair).shape.face_normal(face));
+                Some(met.face_normal(left).dot(outward) < 0.0)
             }
             Feature::VertexOnEnd { end, .. } if end == 0 || end == to => None,
             Feature::FaceOnEnd { end, .. } | Feature::VertexOnEnd { end, .. } => Some(end > to),
         }
-    }
-}
-
-impl World {
-    /// The side of a pair's obstacle that the pair touches it from, left or not; `None` where it has a thickness, or the pair does not tell.
-    pub(in crate::planar) fn side_touched(&self, turn: Turn, pair: Pairing) -> Option<bool> {
-        let o = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin())?;
-        let shape = &self.body_of(pair).shape;
-        o.side_of(pair.feature, |face| turn.apply(shape.face_normal(face)))
     }
 
     /// True for a pair that touches from the other side than the one on which a rod is known to lie, at a place of a stretch with which the rod is in line up to `reach` [m].
@@ -94,26 +92,26 @@ impl World {
         &self,
         (states, turns): (&[State], &[Turn]),
         pair: Pairing,
-        left: bool,
+        left: Option<bool>,
         reach: f64,
     ) -> bool {
         let rod = &self.body_of(pair).shape;
-        let Some(o) = self.obstacles.get(pair.obstacle).filter(|o| o.is_thin() && rod.is_thin_rod()) else {
-            return false;
-        };
-        let (turn, centre, met) = (turns[pair.body], states[pair.body].pose.centre, o.shape());
-        let outward = |face: usize| turn.apply(rod.face_normal(face));
-        if o.side_of(pair.feature, outward).is_none_or(|touched| touched == left) {
+        let (turn, centre) = (turns[pair.body], states[pair.body].pose.centre);
+        let touched = if rod.is_thin_rod() { self.side_touched(turn, pair) } else { None };
+        if touched.is_none() || left.is_none() || touched == left {
             return false;
         }
+        let met = self.obstacles[pair.obstacle].shape();
         let at = |vertex: usize| centre + turn.apply(rod.vertices()[vertex]);
         let place = match pair.feature {
             Feature::VertexOnFace { vertex, .. } | Feature::VertexOnEnd { vertex, .. } => at(vertex),
-            Feature::FaceOnEnd { face, end } => met.vertices()[end] - outward(face) * met.radius_of(end),
+            Feature::FaceOnEnd { face, end } => {
+                met.vertices()[end] - turn.apply(rod.face_normal(face)) * met.radius_of(end)
+            }
         };
         let slack = IN_LINE * reach;
-        let stretches = (met.faces() / 2..met.faces()).filter(|face| met.face_length(*face) > 0.0);
-        stretches.into_iter().any(|face| {
+        let mut stretches = (met.faces() / 2..met.faces()).filter(|face| met.face_length(*face) > 0.0);
+        stretches.any(|face| {
             let (normal, from) = (met.face_normal(face), met.vertices()[face]);
             let off = |point: Vec2| (normal.dot(point - from) - met.radius_of(face)).abs();
             let along = normal.turned_left().dot(place - from);

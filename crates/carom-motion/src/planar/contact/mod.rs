@@ -1,6 +1,6 @@
 //! The world, and where its bodies and obstacles touch: gaps, distances, overlaps.
 
-pub(in crate::planar) mod across;
+mod across;
 mod between;
 pub(in crate::planar) mod clearance;
 mod joint;

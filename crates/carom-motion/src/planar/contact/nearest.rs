@@ -16,7 +16,7 @@ impl World {
     ) -> Option<Pairing> {
         let turns = turns(states);
         let slack = FEATURE_SLACK * self.bodies[meeting.0].shape.size();
-        let across = |pair| left.is_some_and(|left| self.is_across((states, &turns), pair, left, slack));
+        let across = |pair| self.is_across((states, &turns), pair, left, slack);
         let mut best: Option<(Pairing, f64, f64)> = None;
         self.each_pair(meeting, |pair| {
             if self.extents(states, &turns, pair).iter().flatten().any(|(s, _)| *s < -slack) || across(pair) {

@@ -208,10 +208,9 @@ impl World {
             if known >= bounds.horizon && bounds.horizon > 0.0 {
                 return;
             }
-            let behind =
-                bounds.left.is_some_and(|left| self.is_across((&states, &turns), pair, left, in_line));
-            let known_of = Exactness { allowance: probe.leniency.allowance, exact, behind };
-            let clear = self.clearance_of((&states, &turns), pair, &moves, known_of);
+            let behind = self.is_across((&states, &turns), pair, bounds.left, in_line);
+            let exactness = Exactness { allowance: probe.leniency.allowance, exact, behind };
+            let clear = self.clearance_of((&states, &turns), pair, &moves, exactness);
             (distance, safe) = (distance.min(clear.distance), safe.min(clear.safe.max(known)));
         });
         // The allowance counts as apart, as it does along an axis.

@@ -185,7 +185,7 @@ impl World {
         let ((body, obstacle), reach) = (meeting, search.reach);
         let segment = self.obstacles.get(obstacle).filter(|o| o.is_segment());
         let Some(met) = segment.filter(|_| self.bodies[body].shape.is_hull()) else {
-            let left = search.sides.get(self.place(body, obstacle)).copied().unwrap_or(true);
+            let left = self.side(search.sides, meeting);
             return self.each_pair(meeting, |pair| {
                 if self.gap(states, turns, pair).abs() <= reach
                     && !self.is_across((states, turns), pair, left, reach)
@@ -205,7 +205,7 @@ impl World {
         };
         // A rod in line with the obstacle is on both sides at once: memory decides.
         let in_line = radius == 0.0 && shape.vertices().iter().all(|v| left.dot(*v).abs() <= 4.0 * reach);
-        let side = in_line.then(|| search.sides.get(self.place(body, obstacle)).copied().unwrap_or(true));
+        let side = in_line.then(|| self.side(search.sides, meeting).unwrap_or(true));
         // Else a side counts that all of the body lies on, up to what is allowed beyond the tangent.
         let all_across = shape.vertices().iter().map(|v| offset + left.dot(*v));
         let lowest = || all_across.clone().fold(f64::INFINITY, f64::min);

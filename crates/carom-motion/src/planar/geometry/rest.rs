@@ -95,6 +95,15 @@ impl Rest {
     }
 }
 
+/// A piece of an outline that a point lies behind, by its number.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::planar) enum Behind {
+    /// A straight side.
+    Face(usize),
+    /// A corner, or an arc about a vertex.
+    Vertex(usize),
+}
+
 impl Shape {
     /// The sides on which it can lie, counter-clockwise: of an evenly rounded hull its faces, by their numbers. Of any other shape they are
     /// numbered from that which starts at the lowest vertex; a line across a hollow is one of them, a face in a hollow is none. The lowest points of
@@ -209,12 +218,18 @@ impl Shape {
                 nearest = depth;
             }
         };
+        self.each_depth(point, |_, depth, way| take(depth, way));
+        nearest
+    }
+
+    /// How deep a point lies behind every side and arc that it is square to, and behind every corner, with the way to it [m].
+    pub(in crate::planar) fn each_depth(&self, point: Vec2, mut take: impl FnMut(Behind, f64, Vec2)) {
         for face in 0..self.faces() {
             let (normal, from) = (self.face_normal(face), point - self.vertices()[face]);
             let along = normal.turned_left().dot(from);
             if along >= 0.0 && along <= self.face_length(face) && self.face_length(face) > 0.0 {
                 let depth = self.radius_of(face) - normal.dot(from);
-                take(depth, normal * depth);
+                take(Behind::Face(face), depth, normal * depth);
             }
         }
         for vertex in 0..self.vertices().len() {
@@ -222,13 +237,14 @@ impl Shape {
             let distance = from.norm();
             if radius == 0.0 {
                 // What is nearest to a corner lies outside it, but in a hollow.
-                take(if self.is_hollow(vertex) { distance } else { -distance }, -from);
+                let depth = if self.is_hollow(vertex) { distance } else { -distance };
+                take(Behind::Vertex(vertex), depth, -from);
             } else if self.normals_hold(vertex, from * radius.signum()) {
                 let out = from.unit().unwrap_or_default();
-                take(radius - radius.signum() * distance, out * (radius.abs() - distance));
+                let depth = radius - radius.signum() * distance;
+                take(Behind::Vertex(vertex), depth, out * (radius.abs() - distance));
             }
         }
-        nearest
     }
 
     /// Where the segment between two points meets the outline's lines and circles, as shares of it; arcs count all round.

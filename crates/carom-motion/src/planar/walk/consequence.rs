@@ -145,8 +145,8 @@ impl<const B: usize> Walker<'_, B> {
         }
         // Nothing has taken over: what is nearest there now opens, and is watched on its own until it is clearly away.
         if !pairs.iter().any(|p| p.meeting() == ran_off.meeting())
-            && let Some(pair) =
-                self.world.nearest(&self.states, ran_off.meeting(), self.side(ran_off.meeting()))
+            && let left = self.world.side(&self.sides, ran_off.meeting())
+            && let Some(pair) = self.world.nearest(&self.states, ran_off.meeting(), left)
             && !self.runs_off(pair)
         {
             self.depart(pair);

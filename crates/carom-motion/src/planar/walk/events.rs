@@ -131,11 +131,12 @@ impl<const B: usize> Walker<'_, B> {
         // Shortest steps, as fractions of the stretch: that exact places need, and along what grazes for long.
         let [exact, grazing] =
             [STEP_PAST_TOUCH, GRAZING_STEP].map(|least| least * self.scales.time / tried.length());
+        let left = self.world.side(&self.sides, meeting);
         let (mut x, mut steps) = (0.0, 0);
         while x < end {
             let states = tried.states(x);
             let state = &states[meeting.0];
-            let bounds = Bounds { horizon: (end - x) * tried.length(), left: self.side(meeting), ..*bounds };
+            let bounds = Bounds { horizon: (end - x) * tried.length(), left, ..*bounds };
             lenient.allowance = 0.0;
             // A march past what is held leaves it out of account from the first.
             let strict = if holds { &lenient } else { &Leniency::NONE };
@@ -148,7 +149,7 @@ impl<const B: usize> Walker<'_, B> {
             }
             // What grazes for long counts as met: the rate problem says whether it is held.
             let watched = |pair: &Pairing| lenient.open.iter().any(|o| o.pair == *pair);
-            let nearest = || self.world.nearest(&states, meeting, bounds.left);
+            let nearest = || self.world.nearest(&states, meeting, left);
             let lingers = || nearest().filter(|_| steps > MOST_GRAZING_STEPS);
             let closes = self.world.closing(&states, meeting, &known).iter().copied().find(|p| !watched(p));
             if let Some(pair) = closes.or_else(|| lingers().filter(|p| !watched(p))) {

@@ -37,13 +37,6 @@ pub(in crate::planar) struct Known<'a> {
     pub(in crate::planar) significant: f64,
 }
 
-impl Known<'_> {
-    /// The side of an obstacle on which a body is known to be.
-    fn side(&self, world: &World, (body, obstacle): (usize, usize)) -> Option<bool> {
-        self.sides.get(world.place(body, obstacle)).copied()
-    }
-}
-
 /// A flight that is likely to end where it began within this many of the world's own times is a hop.
 const HOP: f64 = 1.0;
 /// Steps of a march towards one obstacle after which it is given up as met.
@@ -184,6 +177,7 @@ impl Ballistic<'_> {
     /// Steps safely towards an obstacle until it is met or time is up.
     fn march(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
         let met = MET_GAP * self.known.scales.length;
+        let left = self.world.side(self.known.sides, (0, obstacle));
         let mut t = 0.0;
         if until.is_finite()
             && self.world.out_of_reach(self.start, (0, obstacle), &self.bounds(self.start, until))
@@ -195,9 +189,8 @@ impl Ballistic<'_> {
                 return None;
             }
             let state = self.at(t);
-            let left = self.known.side(self.world, (0, obstacle));
-            let bounds = self.bounds(&state, (until - t).min(4.0 * self.known.scales.time));
-            let bounds = Bounds { left, ..bounds };
+            let bounds =
+                Bounds { left, ..self.bounds(&state, (until - t).min(4.0 * self.known.scales.time)) };
             let apart = |leniency: &Leniency| self.world.apart(&state, (0, obstacle), &bounds, leniency);
             let just_opened = steps == 0 && self.known.departing.iter().any(|d| d.obstacle == obstacle);
             let mut allowance = 2.0 * met;
@@ -224,7 +217,6 @@ impl Ballistic<'_> {
             }
             t += free.safe.max(STEP_PAST_TOUCH * self.known.scales.time);
         }
-        let left = self.known.side(self.world, (0, obstacle));
         self.world.nearest(&[self.at(t)], (0, obstacle), left).map(|pair| Touchdown { time: t, pair })
     }
 
@@ -303,7 +295,7 @@ impl World {
         let mut pairs = Few::default();
         self.touching_one(states, &turns(states), meeting, &search, &mut pairs);
         if pairs.is_empty()
-            && let Some(pair) = self.nearest(states, meeting, known.side(self, meeting))
+            && let Some(pair) = self.nearest(states, meeting, self.side(known.sides, meeting))
         {
             pairs.push(pair);
         }

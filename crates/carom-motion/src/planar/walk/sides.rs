@@ -21,9 +21,4 @@ impl<const B: usize> Walker<'_, B> {
             }
         }
     }
-
-    /// The side of an obstacle on which a body is known to be: left of its direction or not.
-    pub(in crate::planar) fn side(&self, (body, obstacle): (usize, usize)) -> Option<bool> {
-        self.sides.get(self.world.place(body, obstacle)).copied()
-    }
 }

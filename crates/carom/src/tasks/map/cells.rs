@@ -6,7 +6,7 @@ use carom_scene::{CellsEndingReport, CellsReport, EndingWord};
 use carom_study::Ending;
 use carom_study::regions::Range;
 use carom_words::study;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// Cells of a map.
 ///
@@ -38,14 +38,11 @@ impl MapCells {
         self.ranges.map(|range| range.count)
     }
 
-    /// How many cells end so.
-    pub fn of(&self, ending: Ending) -> usize {
-        self.labels.iter().filter(|label| **label == ending).count()
-    }
-
-    /// Every ending that a cell has.
-    pub fn endings(&self) -> Vec<Ending> {
-        self.labels.iter().copied().collect::<BTreeSet<_>>().into_iter().collect()
+    /// How many cells end in which way.
+    pub fn endings(&self) -> BTreeMap<Ending, usize> {
+        let mut counted = BTreeMap::new();
+        self.labels.iter().for_each(|ending| *counted.entry(*ending).or_default() += 1);
+        counted
     }
 
     /// The middle of each cell, as it is shown, and how it ends.
@@ -61,7 +58,7 @@ impl MapCells {
 
     pub(super) fn report(&self) -> CellsReport {
         let [columns, rows] = self.counts();
-        let counted = |ending| CellsEndingReport { ending: EndingWord(ending), cells: self.of(ending) };
+        let counted = |(ending, cells)| CellsEndingReport { ending: EndingWord(ending), cells };
         let endings = self.endings().into_iter().map(counted);
         CellsReport { columns, rows, endings: endings.collect() }
     }

@@ -21,33 +21,22 @@ impl MapStudy<'_> {
         let plate = part::obstacle(drawn.map.scene.feeder(), drawn.map.plate);
         let mut text = format!("{}: how a drop ends on \"{plate}\"\n\n", drawn.map.scene.name());
         let mut rows = vec![["outcome", "", "area %", "grid nodes"].map(str::to_owned).to_vec()];
-        let cells = self.cells.as_ref();
-        rows[0].extend(cells.map(|_| "cells".to_owned()));
+        let cells = self.cells.as_ref().map(MapCells::endings);
+        rows[0].extend(cells.as_ref().map(|_| "cells".to_owned()));
+        let row = |ending: Ending, area: f64, nodes: usize| {
+            let mut row =
+                vec![name(ending).short, drawn.map.words(ending), fixed(100.0 * area, 2), nodes.to_string()];
+            row.extend(cells.as_ref().map(|cells| cells.get(&ending).unwrap_or(&0).to_string()));
+            row
+        };
         // An outcome at equality fills a line and no region.
         let seen = regions.shares.iter().filter(|share| share.nodes > 0 || share.area > ON_A_LINE);
-        rows.extend(seen.map(|share| {
-            let name = name(share.label);
-            let mut row = vec![
-                name.short,
-                drawn.map.words(share.label),
-                fixed(100.0 * share.area, 2),
-                share.nodes.to_string(),
-            ];
-            row.extend(cells.map(|cells| cells.of(share.label).to_string()));
-            row
-        }));
+        rows.extend(seen.map(|share| row(share.label, share.area, share.nodes)));
         // Single cells beside a boundary may end as no node and no region does.
-        let own = |ending: &Ending| regions.shares.iter().all(|share| share.label != *ending);
-        for ending in cells.map(MapCells::endings).into_iter().flatten().filter(own) {
-            let count = cells.map_or(0, |cells| cells.of(ending)).to_string();
-            rows.push(vec![
-                name(ending).short,
-                drawn.map.words(ending),
-                fixed(0.0, 2),
-                "0".to_owned(),
-                count,
-            ]);
-        }
+        let own = |ending: &&Ending| regions.shares.iter().all(|share| share.label != **ending);
+        rows.extend(
+            cells.iter().flat_map(|cells| cells.keys()).filter(own).map(|ending| row(*ending, 0.0, 0)),
+        );
         text += &aligned(&rows);
         // Writing to a String cannot fail.
         let _ = writeln!(
@@ -57,7 +46,7 @@ impl MapStudy<'_> {
             regions.junctions.len(),
             plain(drawn.accuracy, 2)
         );
-        if let Some([columns, rows]) = cells.map(MapCells::counts) {
+        if let Some([columns, rows]) = self.cells.as_ref().map(MapCells::counts) {
             let _ = writeln!(
                 text,
                 "{columns} × {rows} cells, each by the drop at its middle or by the region it lies in"
