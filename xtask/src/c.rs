@@ -1,7 +1,7 @@
 //! The interface in C: both libraries, and programs in C that are linked with each and tried.
 
 use crate::examples::{is_example, program, verbs};
-use crate::steps::{answers, cargo, said_by};
+use crate::steps::{answers, build_for_tests, said_by};
 use crate::{metadata, tree};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -31,8 +31,7 @@ struct Linked {
 
 /// Builds, compiles, links and tries all of it, in the profile in which the tests are built.
 pub(crate) fn check(root: &Path) -> Result<String, String> {
-    // Together: alone the interface would build what lies below it with other features, and so twice.
-    cargo(root, &["build", "--package", "carom-c", "--package", "carom-cli"])?;
+    build_for_tests(root)?;
     let target = metadata::workspace(root)?.target;
     let built = target.join("debug");
     let place = target.join("c");

@@ -58,8 +58,7 @@ impl Setting {
 /// Runs every example and every study in each setting and compares what they say and write.
 pub(crate) fn check(root: &Path) -> Result<String, String> {
     steps::cargo(root, &["build", "--release", "--package", "carom-cli"])?;
-    // The build of the tests has the debug binary in it. Built alone, the command's dependencies have other features, and the tests would compile them anew.
-    steps::cargo(root, &["test", "--workspace", "--no-run"])?;
+    steps::build_for_tests(root)?;
     let release = THREADS.map(|threads| Setting::Native { profile: "release", threads });
     let debug = Setting::Native { profile: "debug", threads: THREADS_OF_DEBUG };
     let settings: Vec<Setting> = release.into_iter().chain([debug]).collect();

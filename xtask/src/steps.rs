@@ -42,6 +42,11 @@ pub(crate) fn cargo(root: &Path, words: &[&str]) -> Result<String, String> {
     said_by(command).map(|_| String::new())
 }
 
+/// Builds all that `cargo test --workspace` runs, and the libraries and programs beside it. Any of these alone would have other features of what it depends on, and be built anew for the tests.
+pub(crate) fn build_for_tests(root: &Path) -> Result<String, String> {
+    cargo(root, &["build", "--workspace", "--lib", "--bins", "--tests"])
+}
+
 /// Clippy over everything, and over the command without its default features: a build that leaves crates out must hold too.
 pub(crate) fn clippy(root: &Path) -> Result<String, String> {
     let strict = ["--all-targets", "--", "--deny", "warnings"];
