@@ -1,9 +1,7 @@
 //! Files that cannot be written, each in its turn: it is said, nothing is left half-written, and the same command goes on afterwards.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
-mod tree;
+use crate::command;
+use crate::tree;
 
 use command::{Said, command, empty};
 use std::collections::BTreeMap;

@@ -1,9 +1,6 @@
 //! The command as a user meets it: exit code, stdout, stderr, files.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-#[macro_use]
-mod command;
+use crate::command;
 
 use command::{Said, command, empty, examples, fed, folder, shown};
 use std::fs;

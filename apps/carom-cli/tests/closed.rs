@@ -1,9 +1,8 @@
 //! What cannot be written to stdout is not done: exit code 1, and a message.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(target_os = "linux")]
 
-mod command;
+use crate::command;
 
 use command::{Said, command, folder};
 use std::fs::OpenOptions;

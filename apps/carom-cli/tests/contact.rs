@@ -1,8 +1,6 @@
 //! `carom contact`: contacts under forces.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, answers, command, empty, folder};
 use serde_json::Value;

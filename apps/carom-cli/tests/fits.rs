@@ -1,8 +1,6 @@
 //! Fits as a user meets them: what comes out of the shipped runs, and what is said of bad ones.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use carom_scene::Scene;
 use command::{Said, command, empty, examples, folder};

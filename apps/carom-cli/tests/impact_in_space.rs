@@ -1,7 +1,5 @@
 //! An impact in space as a user meets it.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,6 @@
 //! The referee through the command: cases out, answers in.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, command, fed, folder};
 use serde_json::{Value, json};

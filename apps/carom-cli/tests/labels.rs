@@ -1,8 +1,6 @@
 //! A plate without a name has one label for people, counted from 1; paths keep its number, counted from 0.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, command, empty, folder};
 use std::path::{Path, PathBuf};

@@ -1,8 +1,6 @@
 //! One problem a line in, one answer a line out: scenes and rolls.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, answers, command, fed, folder};
 use serde_json::Value;

@@ -1,8 +1,6 @@
 //! `carom roll KIND --poses DT`: poses as a program meets them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, answers, command, examples, folder, result_on};
 use serde_json::Value;

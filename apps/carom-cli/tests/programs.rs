@@ -1,8 +1,6 @@
 //! The programs that the book shows, run as a reader runs them. They need Python: where there is none they are not run, and the test says so.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{carom_on, folder};
 use std::ffi::OsString;

@@ -1,7 +1,5 @@
 //! Region diagrams as a user meets them: what is printed, what is written, and what is refused.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,6 @@
 //! Region diagrams of bodies in space, as a user meets them.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use carom_num::elementary::{atan2, sin};
 use command::result_on;

@@ -1,9 +1,6 @@
 //! `carom roll pyramid` and `carom roll stool` as a user meets them, and their numbers against the closed forms and an independent program's.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-#[macro_use]
-mod command;
+use crate::command;
 
 use command::{Said, carom_on, folder, result_on, shown};
 use serde_json::Value;

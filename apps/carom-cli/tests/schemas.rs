@@ -1,8 +1,6 @@
 //! What the command prints as JSON is what its schemas say: every key, every type, and nothing besides.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, command, folder, result_on};
 use serde_json::Value;

@@ -1,8 +1,6 @@
 //! A scene for simulators through the command.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, command, examples, folder};
 

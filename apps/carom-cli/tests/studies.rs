@@ -1,8 +1,6 @@
 //! Studies as a user meets them: maps and yields.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, command, examples, folder};
 use serde_json::Value;

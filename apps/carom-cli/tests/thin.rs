@@ -1,7 +1,5 @@
 //! The command without its default features: what it leaves out, and that it says so.
 #![cfg(not(any(feature = "parquet", feature = "png")))]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 

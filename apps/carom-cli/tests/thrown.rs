@@ -1,9 +1,6 @@
 //! `carom roll body` as a user meets it: from vertices and from an STL file, once and many times.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-#[macro_use]
-mod command;
+use crate::command;
 
 use command::{Said, carom_on, folder, result_on as result, shown};
 use serde_json::Value;

@@ -1,8 +1,6 @@
 //! Inputs that cannot be read: what is wrong is said, with the file's name, and nothing is written.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, command, empty, examples};
 use std::path::Path;

@@ -1,8 +1,6 @@
 //! `carom validate` as it is called.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod command;
+use crate::command;
 
 use command::{Said, command, folder};
 

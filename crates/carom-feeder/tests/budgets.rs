@@ -1,8 +1,6 @@
 //! A budget that runs out anywhere: the run says so, and what it said before is what the whole run says.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod random;
+use crate::random;
 
 use carom_feeder::{Feeder, Landing, Outcome, Run};
 use carom_motion::planar::Options;

@@ -1,6 +1,5 @@
 //! *Delivered* means that the part is past the last plate: no contact with that plate follows.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how many are delivered is a measurement")]
 
 use carom_feeder::{Feeder, JamKind, Outcome, Part, PartKind, Plate, Run, Start, Stop, Wall};

@@ -8,7 +8,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod paper;
+use crate::paper;
 
 use carom_feeder::{Run, Stage, StageName, Verdict};
 use carom_motion::planar::trace::PieceEnd;

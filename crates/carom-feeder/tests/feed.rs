@@ -1,10 +1,9 @@
 //! Several parts on one feeder.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "what random feeds come to is a measurement")]
 
-mod paper;
-mod random;
+use crate::paper;
+use crate::random;
 
 use carom_feeder::{FedPart, Feed, FeedRun, Feeder, Outcome, RunError, Stop};
 use carom_motion::planar::trace::Piece;

@@ -7,7 +7,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod paper;
+use crate::paper;
 
 use carom_feeder::{Feeder, Outcome, Run, Verdict};
 use carom_motion::planar::Options;

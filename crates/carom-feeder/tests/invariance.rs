@@ -7,7 +7,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod random;
+use crate::random;
 
 use carom_feeder::{Feeder, Outcome, PartKind, Run};
 use carom_motion::planar::trace::{PieceEnd, Trace};

@@ -1,8 +1,6 @@
 //! What decides a run, and what parts were doing where they met.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod paper;
+use crate::paper;
 
 use carom_feeder::{Doing, Feed, FeedRun, Feeder, Run, Stop};
 use carom_motion::planar::{Options, Surface};

@@ -1,6 +1,4 @@
 //! What pages and drawings show, claim by claim, on the smallest input that shows it.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_feeder::{Feed, Feeder, Form, Part, PartKind, Plate, Start, Stop};
 use carom_figure::senses::{forward_sense, tilt};
 use carom_figure::*;

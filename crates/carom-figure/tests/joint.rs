@@ -1,7 +1,5 @@
 //! The picture of an impact at several contacts.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
 use carom_figure::{JointContact, JointWalk, joint_svg};
 use carom_impact::Law;
 use carom_impact::planar::staged::{self, resolve_observed};

@@ -1,7 +1,5 @@
 //! A page needs memory for what it shows, not for every corner at every instant.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop where its own scene is wrong")]
-
 use carom_feeder::{Feeder, Part, PartKind, Plate, Start, Stop};
 use carom_figure::{Draft, Extra, layout_svg, report};
 use carom_impact::Law;

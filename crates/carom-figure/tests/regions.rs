@@ -1,7 +1,5 @@
 //! The drawing and the table of a region diagram.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
 use carom_figure::{RegionAxis, RegionCurve, RegionDiagram, RegionName, regions_csv, regions_svg};
 use carom_study::regions::{Options, Range, Regions, find};
 

@@ -1,8 +1,6 @@
 //! The report says what happened, is whole in itself and never shows NaN.
 
-#![allow(clippy::expect_used, reason = "a test may stop where its own scene is wrong")]
-
-mod fixture;
+use crate::fixture;
 
 use carom_feeder::{Outcome, Part, PartKind, Plate, StageEnd, Verdict, Wall};
 use carom_figure::{

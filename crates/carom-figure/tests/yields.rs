@@ -1,8 +1,6 @@
 //! The page of a yield study says what was found, is whole in itself and never shows NaN.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may stop where its own scene is wrong")]
-
-mod fixture;
+use crate::fixture;
 
 use carom_feeder::{Feeder, Verdict};
 use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, yield_report};

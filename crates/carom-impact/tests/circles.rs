@@ -7,7 +7,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod obstacles;
+use crate::obstacles;
 
 use carom_impact::planar::{ContactSet6, Touch, staged};
 use carom_impact::{ImpactError, Law};

@@ -1,7 +1,5 @@
 //! What is watched during an impact and falls below zero and rises again within one step: both ends of the step see nothing.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_impact::planar::{self, Block, stiffness::by_stiffness};
 use carom_impact::spatial::{Contact, ContactSet, Outcome, Preference, StageEvent, staged};

@@ -1,7 +1,5 @@
 //! What a contact is said to do is what it does: a slip goes the way it is called, and what takes an impulse is not open.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::planar::staged;
 use carom_impact::planar::{ContactSet6, Slip, Touch, end_states};
 use carom_impact::{ImpactError, Law};

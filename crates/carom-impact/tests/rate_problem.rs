@@ -1,7 +1,5 @@
 //! The rate problem where its answer is known: one motion, several, none, and forces that are not determined.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
 use carom_impact::Load;
 use carom_impact::planar::rate::RateProblem;
 use carom_impact::planar::{Answer, Condition, ContactSet2, Slip, Touch};

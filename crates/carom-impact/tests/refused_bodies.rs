@@ -1,7 +1,5 @@
 //! What no impact can be computed from is refused with its name, wherever it comes in; nothing panics and nothing is NaN.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_impact::planar::{ContactSet2, Meeting, RigidBody, Touch, single, struck};
 use carom_num::Vec2;

@@ -2,9 +2,7 @@
 //!
 //! Cases that theory leaves open are counted under their names and printed.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
-mod rocking_bodies;
+use crate::rocking_bodies;
 
 use carom_impact::planar::end_states::EndState;
 use carom_theory::rocking::Cylinder;

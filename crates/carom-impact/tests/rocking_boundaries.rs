@@ -1,8 +1,6 @@
 //! The staged impact against the closed forms of rocking bodies at and beside the boundaries of their states.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
-mod rocking_bodies;
+use crate::rocking_bodies;
 
 use carom_num::elementary::{cos, tan};
 use carom_theory::rocking::{Cylinder, CylinderRegions, Prism};

@@ -1,8 +1,6 @@
 //! What holds for every strike of a rocking body.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
-mod rocking_bodies;
+use crate::rocking_bodies;
 
 use carom_impact::planar::{Slip, Touch, staged};
 use carom_impact::{Law, Phase};

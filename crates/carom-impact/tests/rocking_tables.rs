@@ -1,10 +1,7 @@
 //! The staged impact and the end states against tables of rocking bodies, to the printed digits.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
-mod rocking_bodies;
-#[path = "../../carom-theory/tests/tables/mod.rs"]
-mod tables;
+use crate::rocking_bodies;
+use crate::tables;
 
 use carom_impact::planar::{end_states, staged};
 use carom_impact::{Law, Phase};

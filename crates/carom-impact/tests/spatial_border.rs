@@ -7,7 +7,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod random;
+use crate::random;
 
 use carom_impact::Law;
 use carom_impact::spatial::{Contact, ContactSet, Preference, RigidBody, Touch, staged};

@@ -9,8 +9,8 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod exact_law;
-mod unequal_feet;
+use crate::exact_law;
+use crate::unequal_feet;
 
 use exact_law::{EXACT, ExactLaw, SAME};
 use unequal_feet::{first_question, rocking};

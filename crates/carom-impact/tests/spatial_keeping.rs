@@ -6,7 +6,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod random;
+use crate::random;
 
 use carom_impact::spatial::{Conclusion, ContactSet, KeptState, RigidBody, StatesOfKeeping, Touch};
 use carom_num::{Mat3, Rotation, Vec3};

@@ -9,7 +9,7 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
-mod random;
+use crate::random;
 
 use carom_impact::Load;
 use carom_impact::spatial::{Condition, ContactSet, Mode, RateProblem, RigidBody, Solution, Touch};
@@ -445,7 +445,7 @@ fn one_contact_has_the_motions_that_a_search_finds() {
     assert!(numbers[0] > 50 && numbers[2] >= 5 && starts > 1000, "{numbers:?} {starts}");
 }
 
-/// As many pairs as `CAROM_PAIRS` says: `CAROM_PAIRS=10000 cargo test -p carom-impact --test spatial_rates -- --nocapture` takes a minute.
+/// As many pairs as `CAROM_PAIRS` says: `CAROM_PAIRS=10000 cargo test -p carom-impact --test all spatial_rates:: -- --nocapture` takes a minute.
 fn pairs() -> u32 {
     std::env::var("CAROM_PAIRS").ok().and_then(|pairs| pairs.parse().ok()).unwrap_or(1000)
 }

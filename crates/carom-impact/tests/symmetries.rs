@@ -1,8 +1,5 @@
 //! One to four contacts: what an impact obeys, and what must not matter to it: the side it is seen from, the frame and the units.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-#![allow(clippy::panic, reason = "a test may stop at what it does not expect")]
-
 use carom_impact::planar::{ContactSet6, Touch, staged};
 use carom_impact::{ImpactError, Law};
 use carom_num::Vec2;

@@ -1,7 +1,5 @@
 //! Two contacts: the staged walk against the closed forms of rocking bodies, and landings that admit of no doubt.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
 use carom_impact::Law;
 use carom_impact::planar::{ContactSet2, ContactState, Touch, staged};
 use carom_num::Vec2;

@@ -1,7 +1,5 @@
 //! Moments of solids of revolution: the closed forms, and an independent sum of shells for random profiles.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_motion::planar::{AxialMoments, ChainPoint};
 use carom_num::Vec2;
 use carom_theory::solids::{self, Solid};

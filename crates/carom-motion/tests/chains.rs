@@ -1,8 +1,6 @@
 //! Parts and obstacles that are chains of arcs and segments, against closed forms.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod walk;
+use crate::walk;
 
 use carom_impact::Law;
 use carom_impact::planar::Slip;

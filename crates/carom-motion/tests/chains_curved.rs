@@ -1,7 +1,5 @@
 //! Round parts with hollows on curved plates: energy never grows and nothing overlaps.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{

@@ -1,7 +1,5 @@
 //! Random parts with hollows among random plates: energy never grows, nothing overlaps, and an independent method sees the same touches.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::MotionError;
 use carom_motion::planar::trace::Trace;

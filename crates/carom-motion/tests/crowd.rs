@@ -1,7 +1,5 @@
 //! Several bodies: they meet, push, part and go on, as closed forms say.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_impact::planar::{ContactSet6, Meeting, RigidBody, staged, struck};
 use carom_motion::planar::trace::Trace;

@@ -3,8 +3,6 @@
 //! A stick that falls from the upright asks for most friction at cos θ = 9/11, and for less after that. With a little less friction than this its
 //! foot slips backward there; with a little more it sticks on and slips forward, beyond cos θ = 2/3.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::planar::trace::PieceEnd;
 use carom_motion::planar::{self, Feature, Obstacle, Recorder, Shape, Twist, Walker};

@@ -1,7 +1,5 @@
 //! A cube that lands flat on a whole face rebounds as its restitution says, however its attitude is rounded.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_impact::spatial::staged;
 use carom_motion::spatial::{Body, Friction, State, Supports, World, frictional_contacts};

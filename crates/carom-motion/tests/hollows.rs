@@ -1,9 +1,7 @@
 //! A rod across the gap between two edges, of two obstacles and of one, against closed forms.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod on_edge;
-mod walk;
+use crate::on_edge;
+use crate::walk;
 
 use carom_impact::Law;
 use carom_motion::planar::trace::{ContactSample, Piece, PieceEnd, Sample, Trace};

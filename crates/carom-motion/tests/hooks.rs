@@ -1,9 +1,7 @@
 //! Inner corners against closed forms: an L that an edge has entered, and a disc that spins in a corner of a chute.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod on_edge;
-mod walk;
+use crate::on_edge;
+use crate::walk;
 
 use carom_impact::Law;
 use carom_impact::planar::Slip;

@@ -1,7 +1,5 @@
 //! Where a wall or plate starts at another's end the two are one corner: the same to a body as if each went on a little behind the other.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::planar::trace::{Impact, Trace};
 use carom_motion::planar::{

@@ -1,7 +1,5 @@
 //! A face across the joint of two plates in line moves as on one plate.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::planar::{
     Body, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,

@@ -1,7 +1,5 @@
 //! Hulls of points and what fills them, against closed forms and against other sums.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_motion::spatial::{HullProblem, Polyhedron, Solid};
 use carom_num::elementary::sin_cos;
 use carom_num::{Mat3, Rotation, Vec3};

@@ -1,6 +1,5 @@
 //! Polyhedra that are thrown on the plane: what holds for all of them.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "what throws come to is a measurement")]
 
 use carom_motion::spatial::{Body, End, Mode, Options, Polyhedron, Samples, State, Supports, World, run};

@@ -1,7 +1,5 @@
 //! What random parts of arcs and segments can lie on, against the outline itself.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_motion::planar::{Body, ChainPoint, MassProperties, Obstacle, Pose, RestKind, Shape, State, World};
 use carom_num::Vec2;
 use carom_num::elementary::sin_cos;

@@ -1,7 +1,5 @@
 //! Bodies that rock and roll over their corners, strike after strike, against the closed forms.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::planar::trace::Trace;
 use carom_motion::planar::{

@@ -1,8 +1,6 @@
 //! How runs in space begin and end, each against what one can say by hand.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod bodies;
+use crate::bodies;
 
 use carom_motion::MotionError;
 use carom_motion::spatial::{

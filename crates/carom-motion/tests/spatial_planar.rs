@@ -1,6 +1,5 @@
 //! Boxes whose motion stays in a vertical plane: the engine of space against that of the plane.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two engines differ is a measurement")]
 
 use carom_impact::Law;

@@ -1,6 +1,5 @@
 //! Pyramids that roll over a lateral edge onto the next face, against the closed forms.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two computations differ is a measurement")]
 
 use carom_motion::spatial::{Body, End, Impact, Mode, Options, Samples, State, Supports, World, run};

@@ -1,9 +1,8 @@
 //! Random bodies in space: what holds for all of them.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "what random bodies come to is a measurement")]
 
-mod bodies;
+use crate::bodies;
 
 use carom_motion::spatial::{Budget, End, Options, Run, Samples, World, run};
 use std::collections::BTreeMap;

@@ -5,11 +5,9 @@
 //! prism with 0.56 of restitution strikes with three or with four corners of a side, for its 135th strike, and rests 2.8e-4 of the world's
 //! time earlier or later. And where friction forces a contact in, it decides whether there is a consistent way on: one tetrahedron ends there, or goes on to rest.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two runs differ is a measurement")]
 
-#[expect(dead_code, reason = "only how a throw is made ready is of use here")]
-mod thrown;
+use crate::thrown;
 
 use carom_motion::spatial::{End, Options, run};
 use carom_num::elementary::sin_cos;

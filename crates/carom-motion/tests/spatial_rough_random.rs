@@ -1,9 +1,8 @@
 //! Random bodies that slide, strike and chatter: what holds for all of them.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "what random bodies come to is a measurement")]
 
-mod bodies;
+use crate::bodies;
 
 use carom_motion::spatial::{
     Body, Budget, Clock, End, Friction, Impact, Mode, Options, Run, Samples, State, World, run,

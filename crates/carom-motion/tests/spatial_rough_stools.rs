@@ -1,10 +1,8 @@
 //! Stools on rough ground: where friction is ample and no foot strikes aslant, they move as if nothing could slide.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two laws differ is a measurement")]
 
-#[allow(dead_code, reason = "other tests use the rest")]
-mod stools;
+use crate::stools;
 
 use carom_motion::spatial::{End, Friction, Impact, Mode, Options, Run, Samples, State, World, run};
 use stools::{Stool, runs};

@@ -1,6 +1,5 @@
 //! Bodies that slide in space, against closed forms, without sliding where nothing slides, and among each other.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far results are from closed forms is a measurement")]
 
 use carom_motion::spatial::{

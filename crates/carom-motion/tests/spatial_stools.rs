@@ -1,9 +1,8 @@
 //! Stools that fall, chatter and rock to rest, against an independent program's runs and the closed forms.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two programs differ is a measurement")]
 
-mod stools;
+use crate::stools;
 
 use carom_motion::spatial::{
     End, Impact, Mode, Observer, Options, Piece, Run, Samples, State, Supports, World, forces, run,

@@ -1,11 +1,9 @@
 //! Runs that are one another's images: mirrored, turned about the vertical, moved, renumbered, in other units.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far two runs differ is a measurement")]
 
-mod bodies;
-#[expect(dead_code, reason = "only how they start is of use here")]
-mod stools;
+use crate::bodies;
+use crate::stools;
 
 use carom_motion::spatial::{Body, End, Impact, Options, Run, State, Supports, World, run};
 use carom_num::{Mat3, Rotation, Vec3};

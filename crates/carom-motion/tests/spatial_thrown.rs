@@ -1,8 +1,6 @@
 //! Throws that once never ended: bodies that chatter on to a face, slips that hardly stop, a slip that starts slowly.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod thrown;
+use crate::thrown;
 
 use carom_motion::spatial::{Budget, End, Mode, Options, Samples, State, World, forces, run};
 use carom_num::elementary::{atan2, sin_cos};

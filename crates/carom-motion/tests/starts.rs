@@ -1,7 +1,5 @@
 //! How a walk begins: what touches at the start is asked what it does, and strikes at once are told.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::MotionError;
 use carom_motion::planar::{

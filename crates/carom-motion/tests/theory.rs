@@ -1,7 +1,5 @@
 //! Motion against the closed forms of the literature.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_impact::planar::Slip;
 use carom_motion::planar::trace::{Piece, PieceEnd, Trace};

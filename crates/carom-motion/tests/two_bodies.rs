@@ -1,7 +1,5 @@
 //! The geometry of two bodies that both move: against a fixed obstacle, and against its own time derivatives.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_impact::Law;
 use carom_motion::planar::{
     Body, Feature, Kinematics, Obstacle, Pairing, Pose, Shape, State, Surface, Twist, World,

@@ -1,8 +1,6 @@
 //! Bodies that are thrown: what files say of them, from vertices and from surfaces, and what is wrong with them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod held;
+use crate::held;
 
 use carom_motion::spatial::{Mesh, Polyhedron, Solid};
 use carom_num::{Rotation, Vec3};

@@ -1,7 +1,5 @@
 //! What an answer says of itself: that it is the only one, or why it is not.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_scene::{
     AnyImpact, ImpactAnswerReport, ImpactOutcome, ImpactProblem, InequalityKind, InequalityReport, RollKind,
     RollProblem, RollReport, ShareTaken, SharingVerdict, SpatialImpactReport,

@@ -1,7 +1,5 @@
 //! Plates, walls and parts that are chains: what they do, and what is said of chains that are none.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_feeder::{Outcome, Run, StageEnd};
 use carom_num::elementary::{cos, sin};
 use carom_scene::{MeasureAxis, Scene};

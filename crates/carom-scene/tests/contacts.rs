@@ -1,8 +1,6 @@
 //! Contacts by the names of their materials stand for their ranges, and say where these are from.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod held;
+use crate::held;
 
 use carom_scene::quantity::Tolerance;
 use carom_scene::{Form, NamedQuantity, ProblemKind, Problems, Scene};

@@ -1,9 +1,8 @@
 //! Readers and schemas say the same of the form of files: of the examples, and of thousands that are spoiled at random.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how many files were of which form is shown with --nocapture")]
 
-mod held;
+use crate::held;
 
 use carom_scene::{
     AnyImpact, Form, Problem, ProblemKind, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem,

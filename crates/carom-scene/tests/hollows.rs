@@ -1,7 +1,5 @@
 //! Parts with hollows are computed as they are drawn, and lie on their sides and across their hollows.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_scene::{ApproximationKind, Problems, RunReport, Scene};
 
 /// A part from a file of the folder of drawings, on two plates.

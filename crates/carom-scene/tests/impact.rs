@@ -1,8 +1,6 @@
 //! Impacts from files: answers that can be checked by hand, and problems.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod held;
+use crate::held;
 
 use carom_scene::{Form, ImpactAnswerReport, ImpactOutcome, ImpactProblem, SharingVerdict, Uniqueness};
 

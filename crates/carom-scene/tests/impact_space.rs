@@ -1,7 +1,5 @@
 //! Impacts in space of several bodies, and of the operator alone, against closed forms and against each other.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_impact::spatial::RigidBody;
 use carom_num::Vec3;
 use carom_scene::{

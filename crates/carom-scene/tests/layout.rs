@@ -1,7 +1,5 @@
 //! Scenes that are right, and the feeders they stand for.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_feeder::{Feeder, PartKind, Stop};
 use carom_num::{
     Vec2,

@@ -1,8 +1,6 @@
 //! Parts that are known by their name: their dimensions, what they weigh, how they lie, and what is said of wrong ones.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
-mod held;
+use crate::held;
 
 use carom_feeder::PartKind;
 use carom_scene::{Form, Problems, Scene};

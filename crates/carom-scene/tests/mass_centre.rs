@@ -1,7 +1,5 @@
 //! A drawing is a silhouette: where a part is not as thick everywhere, its scene says where its mass is.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_scene::{Problems, Scene};
 
 const TOLERANCE: f64 = 1e-14;

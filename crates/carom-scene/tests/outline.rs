@@ -1,7 +1,5 @@
 //! Parts drawn in files of their own: what a user reads, and the bodies that come of them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_feeder::PartKind;
 use carom_num::Vec2;
 use carom_scene::{ProblemKind, Problems, Scene};

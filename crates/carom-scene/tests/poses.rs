@@ -1,7 +1,5 @@
 //! Poses at equal intervals of time against closed forms: they are the engine's dense output, as exact as the steps themselves.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_motion::planar::State;
 use carom_num::elementary::{cos, sin};
 use carom_num::{Rotation, Vec3};

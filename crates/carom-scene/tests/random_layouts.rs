@@ -1,6 +1,5 @@
 //! Drops through layouts taken at random: those that designs search among, plates that cross and narrow gaps included.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "the numbers that were measured")]
 
 use carom_feeder::{Effort, Outcome};

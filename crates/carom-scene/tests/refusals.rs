@@ -1,7 +1,5 @@
 //! Where a problem is, and that it is told once: files of another kind, of the plane among those of space, and keys that miss others.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_scene::{
     AnyImpact, Form, ImpactProblem, ImpactTemplate, Problem, Problems, RollKind, Scene, SpatialRollKind,
 };

@@ -1,10 +1,7 @@
 //! Roll files: the strikes they lead to, against the derivation's own numbers, and what a bad file is told.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-#![allow(clippy::approx_constant, reason = "six printed digits are no constant")]
-
-mod derived;
-mod held;
+use crate::derived;
+use crate::held;
 
 use carom_scene::{
     Form, ImpactOutcome, RollEnd, RollKind, RollProblem, RollReport, RollStrikeReport, SpatialRollKind,

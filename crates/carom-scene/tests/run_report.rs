@@ -1,7 +1,5 @@
 //! The JSON of a run, made by hand.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_feeder::{
     Decided, Effort, Landing, Outcome, PartKind, Run, Stage, StageEnd, StageName, Touch, Verdict,
 };

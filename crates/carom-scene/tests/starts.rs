@@ -1,7 +1,5 @@
 //! Faces on which parts start: one, several, or those on which they can rest.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_num::elementary::atan2;
 use carom_scene::Scene;
 use std::f64::consts::PI;

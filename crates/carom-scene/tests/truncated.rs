@@ -1,7 +1,5 @@
 //! Every example, ended early at every byte: it is read, or everything wrong with it is listed.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_scene::{AnyImpact, Problems, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem};
 use std::path::{Path, PathBuf};
 

@@ -1,7 +1,5 @@
 //! Answers are data: a text in an answer is one of a list of words, or the name of something, or a sentence beside the data that it tells.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_scene::schema;
 use serde_json::Value;
 use std::collections::BTreeSet;

@@ -1,8 +1,6 @@
 //! The work of runs and studies, counted: a slowdown shows here without a clock, and on a busy machine too.
 //!
-//! `INSTA_UPDATE=always cargo test -p carom-scene --test work_counts` writes the counts anew. A change of them belongs in the changelog.
-
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
+//! `INSTA_UPDATE=always cargo test -p carom-scene --test all work_counts::` writes the counts anew. A change of them belongs in the changelog.
 
 use carom_feeder::{Effort, Feeder, Plate};
 use carom_motion::planar::Options;

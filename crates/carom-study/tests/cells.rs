@@ -1,9 +1,8 @@
 //! The label of every cell of a fine grid, by following boundaries, against asking every cell.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how many drops a map takes is a measurement")]
 
-mod paper;
+use crate::paper;
 
 use carom_study::regions::{Range, cells};
 use paper::{ending, layout};

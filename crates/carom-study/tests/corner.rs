@@ -1,7 +1,5 @@
 //! A corner's strike by its two angles against the same strike in the world.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
 use carom_impact::Law;
 use carom_impact::planar::{ContactSet2, ImpactType, Touch, staged};
 use carom_num::Vec2;

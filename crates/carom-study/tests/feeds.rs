@@ -1,10 +1,8 @@
 //! How closely parts may follow each other: found in two ways that must agree, and against rasters of single feeds.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how far the two ways agree is a measurement")]
 
-#[path = "../../carom-feeder/tests/random/mod.rs"]
-mod random;
+use crate::random;
 
 use carom_feeder::{Feed, Feeder, Outcome, Part, PartKind, Plate, Prepared, StageName, Start, Stop};
 use carom_impact::Law;

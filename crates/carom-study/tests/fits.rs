@@ -1,7 +1,5 @@
 //! Fits: posteriors that have a closed form, ridges, and what is said of outcomes that never occur.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use carom_feeder::{Outcome, Verdict, examples};
 use carom_motion::planar::Options;
 use carom_num::elementary::pow;

@@ -1,9 +1,8 @@
 //! Yields by their boundary: intervals that hold, even where lines do not see everything, and far fewer drops.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how often intervals hold is a measurement")]
 
-mod paper;
+use crate::paper;
 
 use carom_feeder::Verdict;
 use carom_study::Ending;

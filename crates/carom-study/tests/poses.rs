@@ -1,6 +1,5 @@
 //! On which faces boxes come to rest, and that no throw is lost.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how often boxes rest on which face is a measurement")]
 
 use carom_motion::spatial::{Body, Options, Polyhedron, State, Supports, World};

@@ -1,6 +1,5 @@
 //! On which sides parts in the plane come to rest.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how often parts rest on which side is a measurement")]
 
 use carom_impact::Law;

@@ -1,7 +1,5 @@
 //! Region diagrams of classifiers whose boundaries are known in closed form.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
 use carom_study::regions::{Boundary, Label, Options, Range, Regions, RegionsError, find};
 
 /// What is asked of crossings and junctions, as a share of the range.

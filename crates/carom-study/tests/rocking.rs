@@ -1,7 +1,5 @@
 //! Boundaries between the engine's outcomes against the closed forms of rocking bodies.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
 use carom_num::elementary::atan;
 use carom_study::regions::{Options, Range, Regions, distance, find};
 use carom_study::rocking::Rolling;

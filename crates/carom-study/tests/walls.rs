@@ -1,7 +1,5 @@
 //! A layout may be asked to work without its walls.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-
 use carom_feeder::{Feeder, Part, PartKind, Plate, Start, Stop, Wall};
 use carom_impact::Law;
 use carom_motion::planar::{Body, Shape};

@@ -1,9 +1,8 @@
 //! Yields: intervals that hold, errors that fall, results that do not depend on threads.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "how often intervals hold is a measurement")]
 
-mod paper;
+use crate::paper;
 
 use carom_feeder::{Outcome, Run};
 use carom_num::elementary::ln;

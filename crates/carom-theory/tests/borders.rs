@@ -1,7 +1,7 @@
 //! Where the state of a strike changes on a way through the plane of two quantities, one of the borders says so: it belongs to these two states, applies
 //! there, and changes its sign.
 
-mod oracle;
+use crate::oracle;
 
 use carom_theory::rocking::{Border, Cylinder, Prism, RodState, SupportedRod};
 use carom_theory::spatial::{Approach, LateralRoll, Pyramid, Stool};

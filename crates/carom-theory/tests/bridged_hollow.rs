@@ -1,8 +1,6 @@
 //! A rod across a hollow: closed forms against balances, against small steps in the fixed frame, and against all pairs of forces.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-mod integrate;
+use crate::integrate;
 
 use carom_theory::bridged_hollow::{RodInHollow, RodOnEdges};
 use integrate::until;

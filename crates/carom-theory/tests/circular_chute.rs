@@ -1,8 +1,6 @@
 //! A disc in a circular chute: closed forms against Newton's and Euler's laws in the fixed frame, integrated with small steps.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-mod integrate;
+use crate::integrate;
 
 use carom_theory::circular_chute::CircularChute;
 use integrate::until;

@@ -2,8 +2,6 @@
 //!
 //! C: the cylinder's, P: the prism's, R: the rod's, in the order of print.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
 use carom_theory::rocking::{Cylinder, Prism, Strike, SupportedRod, Tangential};
 
 /// Half a unit of the sixth decimal: as the examples are printed.

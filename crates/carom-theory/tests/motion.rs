@@ -1,9 +1,7 @@
 //! Sliding, tipping and falling: the equations of motion against energy, against each other and against the feeder of the literature.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-mod integrate;
-mod oracle;
+use crate::integrate;
+use crate::oracle;
 
 use carom_theory::falling_stick::{
     floor_force_foot_fixed, floor_force_smooth, spin_squared_foot_fixed, spin_squared_smooth_floor,

@@ -1,9 +1,6 @@
 //! The closed forms of rocking bodies against every row of the tables, to the printed digits.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-#[path = "tables/mod.rs"]
-mod tables;
+use crate::tables;
 
 use carom_theory::rocking::{
     Cylinder, CylinderRegions, Prism, RodState, Strike, SupportedRod, Tangential, housner_ratio,

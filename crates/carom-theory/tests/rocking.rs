@@ -1,8 +1,6 @@
 //! The strikes on two points against a walk that tries every state of both contacts in every stage.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-mod oracle;
+use crate::oracle;
 
 use carom_theory::rocking::{
     Cylinder, CylinderRegions, CylinderState, Pivoting, Prism, PrismState, RodState, Strike, SupportedRod,

@@ -1,8 +1,6 @@
 //! A part on a round edge: closed forms against Newton's and Euler's laws in the fixed frame, integrated with small steps.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-mod integrate;
+use crate::integrate;
 
 use carom_theory::rod_on_edge::{EdgeState, PartOnEdge};
 use carom_theory::round_edge::{RoundEdge, RoundEdgeMotion, RoundEdgeState};

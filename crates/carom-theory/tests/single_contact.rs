@@ -1,8 +1,6 @@
 //! The closed forms of one contact against a walk from event to event with twice the digits.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-mod oracle;
+use crate::oracle;
 
 use carom_theory::single_contact::{Contact, Impact, ImpactType, Law, Operator, resolve};
 use oracle::Stream;

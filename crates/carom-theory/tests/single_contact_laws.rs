@@ -1,8 +1,6 @@
 //! What the three laws of restitution have in common, and where they part.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
-mod oracle;
+use crate::oracle;
 
 use carom_theory::single_contact::{Contact, ImpactType, Inequality, Law, Operator, resolve};
 use oracle::Stream;

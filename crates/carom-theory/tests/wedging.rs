@@ -1,6 +1,6 @@
 //! Loads that hold themselves: against the condition for two contacts, and between bounds that a search over loads gives.
 
-mod oracle;
+use crate::oracle;
 
 use carom_theory::wedging::{PushedPoint, least_wrench, most_pressed};
 use oracle::Stream;

@@ -1,7 +1,5 @@
 //! The command as it is called beside the examples: what it says, and where it writes.
 
-#![allow(dead_code, unused_macros, reason = "every test file takes the part that it needs")]
-
 use serde_json::Value;
 use std::fs;
 use std::io::Write;

@@ -1,8 +1,5 @@
 //! Cylinder, prism and rod as sets of contacts, and the engine's answers in the letters of their closed forms.
-#![allow(dead_code, reason = "each test file uses its own part")]
 #![allow(unreachable_pub, reason = "a module shared by test files")]
-#![allow(clippy::unwrap_used, reason = "a test may stop at what it does not expect")]
-
 pub mod compare;
 pub mod draw;
 

@@ -2,6 +2,8 @@
 //!
 //! Source: derived from impulse and momentum with contact laws of their own, apart from this engine; printed to six digits.
 
+#![allow(clippy::approx_constant, reason = "six printed digits are no constant")]
+
 /// The strike of a cylinder without restitution, m = a = ω₀ = 1: b, f, γ [deg]; state; velocity and roll rate after; impulses (normal,
 /// tangential) at A, at K; energy left; how many end states there are.
 pub(crate) type CylinderRow = (f64, f64, f64, u8, [f64; 3], [f64; 4], f64, usize);

@@ -60,7 +60,6 @@ thread_local! {
 }
 
 /// Holds a file of a test to its schema, where it is TOML that JSON can say.
-#[allow(dead_code, reason = "not every test file has such files")]
 pub(crate) fn file(form: Form, source: &str) {
     if toml::from_str::<Value>(source).is_ok_and(|value| !has_null(&value)) {
         JUDGES.with_borrow_mut(|judges| {

@@ -1,6 +1,6 @@
 //! The paper's part on two plates: a rod that turns over on the second one or does not.
 
-#![allow(dead_code, reason = "not every test uses all of it")]
+#![allow(dead_code, reason = "an example uses a part of it")]
 
 use carom_feeder::{Feeder, Part, Plate, Run, Start, Stop, Verdict};
 use carom_impact::Law;

@@ -1,6 +1,5 @@
 //! Independent answers for the tests: arithmetic with twice the digits, a seeded stream of numbers, and a walk along the impact that
 //! knows events but no classes.
-#![allow(dead_code, reason = "each test file uses its own part")]
 #![allow(unreachable_pub, reason = "a module shared by test files")]
 
 pub mod double;

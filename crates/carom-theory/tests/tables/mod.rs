@@ -3,8 +3,6 @@
 //! the first line; SNA, STA: impulses at A; vnA, vtA: velocities there; R: restitution.
 #![allow(dead_code, reason = "each test file uses its own part")]
 #![allow(unreachable_pub, reason = "a module shared by test files")]
-#![allow(clippy::expect_used, clippy::panic, reason = "a test may stop at what it does not expect")]
-
 pub const CYLINDER_BOUNDARIES: &str = include_str!("cylinder_boundaries.csv");
 pub const CYLINDER_PLASTIC: &str = include_str!("cylinder_plastic.csv");
 pub const CYLINDER_ELASTIC: &str = include_str!("cylinder_elastic.csv");

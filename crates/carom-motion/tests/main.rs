@@ -1,0 +1,38 @@
+//! All tests of this crate in one program: it is linked once.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod axial;
+mod bodies;
+mod chains;
+mod chains_curved;
+mod chains_random;
+mod crowd;
+mod double_events;
+mod flat_landings;
+mod hollows;
+mod hooks;
+mod joint_corners;
+mod joints;
+mod on_edge;
+mod polyhedra;
+mod polyhedra_thrown;
+mod rests;
+mod rocking;
+mod spatial_ends;
+mod spatial_planar;
+mod spatial_pyramids;
+mod spatial_random;
+mod spatial_renumbered;
+mod spatial_rough_random;
+mod spatial_rough_stools;
+mod spatial_sliding;
+mod spatial_stools;
+mod spatial_symmetries;
+mod spatial_thrown;
+mod starts;
+mod stools;
+mod theory;
+mod thrown;
+mod two_bodies;
+mod walk;
