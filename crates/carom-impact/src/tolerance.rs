@@ -30,6 +30,14 @@ pub(crate) const SAME_LENGTH: f64 = 1e-9;
 /// Where contacts are solved by hand, a difference counts from this fraction of its terms on [1]: it has lost no more than three digits. Below,
 /// elimination with pivots decides.
 pub(crate) const CLEAR: f64 = 1e-3;
+/// Responses below this fraction of their terms are none where contacts hold all motion [1]: ten times what a slack may be broken by.
+pub(crate) const NO_RESPONSE: f64 = 1e-10;
+/// A margin above this, or an inequality broken by more, is far from any rounding [1]: one hypothesis may speak for others that have the same motion.
+pub(crate) const CLEARLY: f64 = 1e-6;
+/// A velocity of a contact counts as independent of others where it is beyond this fraction of its length from what they make [1] …
+pub(crate) const INDEPENDENT: f64 = 1e-3;
+/// … and as made by them where it is nearer than this fraction [1]. What lies between is not clear.
+pub(crate) const MADE_BY_OTHERS: f64 = 1e-12;
 /// Normal rates of one contact that differ by less than this fraction of the ample rate are one [1]: its share is not open.
 pub(crate) const SAME_RATE: f64 = 1e-9;
 /// A rate that may grow by so many ample rates is without bound [1]: contacts wedge the body.

@@ -34,6 +34,7 @@ mod spatial_single;
 mod spatial_staged;
 mod spatial_twist;
 mod spatial_unequal;
+mod standstill;
 mod symmetries;
 #[path = "../../carom-theory/tests/tables/mod.rs"]
 mod tables;

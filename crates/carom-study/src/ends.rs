@@ -72,8 +72,8 @@ impl Ends {
         sharing: &Sharing<N>,
     ) -> Result<Self, ImpactError> {
         let outcome = sharing::resolve(set, law, sharing)?;
-        let ends = end_states::enumerate(set, law);
-        let reached = ends.reach(set, &outcome.velocity);
-        Ok(Self { count: ends.found.len(), reached, branches: outcome.branches })
+        let found = end_states::found(set, law);
+        let reached = found.iter().any(|end| end.moves_as(set, &outcome.velocity));
+        Ok(Self { count: found.len(), reached, branches: outcome.branches })
     }
 }

@@ -14,9 +14,9 @@
 use crate::Load;
 use crate::planar::contacts::names::Slip;
 use crate::planar::contacts::set::ContactSet;
-use crate::planar::rates::answer::Broken;
 use crate::planar::rates::answer::Guess;
 use crate::planar::rates::answer::Solution;
+use crate::planar::rates::answer::{Answer, Broken};
 use crate::planar::rates::rate::RateProblem;
 use crate::tolerance::SAME_MOTION;
 use crate::{Law, Phase};
@@ -56,16 +56,21 @@ pub struct EndStates<const N: usize> {
     pub rejected: Vec<Rejected<N>>,
 }
 
-impl<const N: usize> EndStates<N> {
-    /// True where one of them moves so: the contacts of `set` with these velocities (slip, normal) after.
-    pub fn reach<const M: usize>(&self, set: &ContactSet<N, M>, velocity: &[[f64; 2]; N]) -> bool {
+impl<const N: usize> EndState<N> {
+    /// True where it moves so: the contacts of `set` with these velocities (slip, normal) after.
+    pub fn moves_as<const M: usize>(&self, set: &ContactSet<N, M>, velocity: &[[f64; 2]; N]) -> bool {
         let after = &velocity[..set.count];
         let before = set.slip[..set.count].iter().chain(&set.normal[..set.count]);
         let largest = before.chain(after.iter().flatten()).fold(0.0, |m: f64, u| m.max(u.abs()));
-        self.found.iter().any(|end| {
-            let pairs = after.iter().flatten().zip(end.velocity[..set.count].iter().flatten());
-            pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME_MOTION * largest)
-        })
+        let mut pairs = after.iter().flatten().zip(self.velocity[..set.count].iter().flatten());
+        pairs.all(|(a, b)| (a - b).abs() <= SAME_MOTION * largest)
+    }
+}
+
+impl<const N: usize> EndStates<N> {
+    /// True where one of them [moves](EndState::moves_as) so.
+    pub fn reach<const M: usize>(&self, set: &ContactSet<N, M>, velocity: &[[f64; 2]; N]) -> bool {
+        self.found.iter().any(|end| end.moves_as(set, velocity))
     }
 }
 
@@ -92,11 +97,59 @@ impl<const N: usize> EndStates<N> {
 /// ```
 pub fn enumerate<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> EndStates<N> {
     match set.count {
-        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law)),
-        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law)),
-        _ => of_any_size(set, law),
+        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law, explained)),
+        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law, explained)),
+        _ => of_any_size(set, law, explained),
     }
 }
+
+/// The end states alone, without what rejects the others: most hypotheses of several contacts leave no velocity at all, and are one question then.
+///
+/// # Limits
+/// As [`enumerate`].
+///
+/// # Example
+/// A box that lands on both feet stays; why it does nothing else is not asked.
+/// ```
+/// use carom_impact::{Law, planar::{ContactSet2, Touch, end_states}};
+/// use carom_num::Vec2;
+/// let foot = |x| Touch { arm: Vec2::new(x, -0.5), normal: Vec2::new(0.0, 1.0), friction: 0.4, restitution: 0.0 };
+/// let set = ContactSet2::of_free_body(1.0, 0.2, Vec2::new(0.0, -1.0), 0.0, &[foot(-0.3), foot(0.3)])?;
+/// let found = end_states::found(&set, Law::Newton);
+/// assert_eq!(found, end_states::enumerate(&set, Law::Newton).found);
+/// assert_eq!((found.len(), found[0].guess.map(|guess| guess.holds)), (1, [true; 2]));
+/// # Ok::<(), carom_impact::ImpactError>(())
+/// ```
+pub fn found<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> Vec<EndState<N>> {
+    let ends = match set.count {
+        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law, alone)),
+        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law, alone)),
+        _ => of_any_size(set, law, alone),
+    };
+    ends.found
+}
+
+/// The solutions of a phase, and what rejects the others.
+fn explained<const N: usize, const M: usize>(
+    problem: &RateProblem<'_, N, M>,
+    phase: Phase,
+    rejected: &mut Vec<Rejected<N>>,
+) -> Answer<N> {
+    problem.solve_observed(&mut |guess, broken| rejected.push(Rejected { phase, guess: *guess, broken }))
+}
+
+/// The solutions of a phase.
+fn alone<const N: usize, const M: usize>(
+    problem: &RateProblem<'_, N, M>,
+    _: Phase,
+    _: &mut Vec<Rejected<N>>,
+) -> Answer<N> {
+    problem.solve()
+}
+
+/// What solves the rate problem of a phase, and may tell why it rejects a hypothesis.
+type Solver<const N: usize, const M: usize> =
+    fn(&RateProblem<'_, N, M>, Phase, &mut Vec<Rejected<N>>) -> Answer<N>;
 
 /// The same end states with room for N contacts.
 fn widened<const A: usize, const N: usize>(ends: &EndStates<A>) -> EndStates<N> {
@@ -115,14 +168,18 @@ fn widened<const A: usize, const N: usize>(ends: &EndStates<A>) -> EndStates<N> 
     EndStates { found: found.collect(), rejected: rejected.collect() }
 }
 
-fn of_any_size<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> EndStates<N> {
+fn of_any_size<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    law: Law,
+    solve: Solver<N, M>,
+) -> EndStates<N> {
     let mut ends = EndStates { found: vec![], rejected: vec![] };
     let approaching = (0..set.count).any(|i| set.normal[i] < 0.0);
     let bounces = (0..set.count).any(|i| set.restitution[i] > 0.0);
     if law == Law::Newton || !bounces || !approaching {
-        one_step(set, &mut ends);
+        one_step(set, solve, &mut ends);
     } else {
-        two_phases(set, &mut ends);
+        two_phases(set, solve, &mut ends);
     }
     ends
 }
@@ -147,13 +204,15 @@ fn touching<const N: usize>(count: usize, base: impl Fn(usize) -> f64) -> [Load;
     std::array::from_fn(|i| if i < count { Load::Touching(base(i)) } else { Load::Absent })
 }
 
-fn one_step<const N: usize, const M: usize>(set: &ContactSet<N, M>, ends: &mut EndStates<N>) {
+fn one_step<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    solve: Solver<N, M>,
+    ends: &mut EndStates<N>,
+) {
     let bounce: [f64; N] = std::array::from_fn(|i| set.restitution[i] * set.normal[i].min(0.0));
     let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i] + bounce[i]]);
-    let rejected = &mut ends.rejected;
-    let answer = problem(set, drive, touching(set.count, |_| 0.0)).solve_observed(&mut |guess, broken| {
-        rejected.push(Rejected { phase: Phase::Compression, guess: *guess, broken });
-    });
+    let problem = problem(set, drive, touching(set.count, |_| 0.0));
+    let answer = solve(&problem, Phase::Compression, &mut ends.rejected);
     for solution in answer.iter() {
         let velocity =
             std::array::from_fn(|i| [solution.response[i][0], solution.response[i][1] - bounce[i]]);
@@ -161,19 +220,18 @@ fn one_step<const N: usize, const M: usize>(set: &ContactSet<N, M>, ends: &mut E
     }
 }
 
-fn two_phases<const N: usize, const M: usize>(set: &ContactSet<N, M>, ends: &mut EndStates<N>) {
+fn two_phases<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    solve: Solver<N, M>,
+    ends: &mut EndStates<N>,
+) {
     let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i]]);
-    let rejected = &mut ends.rejected;
-    let compression =
-        problem(set, drive, touching(set.count, |_| 0.0)).solve_observed(&mut |guess, broken| {
-            rejected.push(Rejected { phase: Phase::Compression, guess: *guess, broken });
-        });
+    let compressed = problem(set, drive, touching(set.count, |_| 0.0));
+    let compression = solve(&compressed, Phase::Compression, &mut ends.rejected);
     for first in compression.iter() {
         let drive: [[f64; 2]; N] = std::array::from_fn(|i| snapped(first, i));
         let load = touching(set.count, |i| set.restitution[i] * first.rates[i][1]);
-        let restitution = problem(set, drive, load).solve_observed(&mut |guess, broken| {
-            rejected.push(Rejected { phase: Phase::Restitution, guess: *guess, broken });
-        });
+        let restitution = solve(&problem(set, drive, load), Phase::Restitution, &mut ends.rejected);
         for second in restitution.iter() {
             let impulse = std::array::from_fn(|i| {
                 [first.rates[i][0] + second.rates[i][0], first.rates[i][1] + second.rates[i][1]]

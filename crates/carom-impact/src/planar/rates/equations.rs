@@ -30,6 +30,13 @@ enum Found<const N: usize, const M: usize> {
     Family(Solutions<M>),
 }
 
+/// Rates of a hypothesis whose forces have the most slack.
+pub(super) struct Middle<const N: usize> {
+    pub(super) rates: PerContact<N>,
+    /// That slack, in ample rates, where other rates satisfy the equations too.
+    pub(super) slack: Option<f64>,
+}
+
 /// Which rates of a hypothesis are unknown.
 #[derive(Clone, Copy)]
 pub(in crate::planar) struct Unknowns<const N: usize, const M: usize> {
@@ -97,6 +104,18 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
                 }
             }
         }
+    }
+
+    /// The rates of a hypothesis in the middle of what its forces allow, where they are known to be there.
+    pub(super) fn found_most(&self, guess: &[Guess; N]) -> Option<Middle<N>> {
+        let unknowns = self.unknowns(guess);
+        Some(match self.found(guess, &unknowns, RANK)? {
+            Found::One(rates) => Middle { rates, slack: None },
+            Found::Family(family) => {
+                let (x, slack) = self.middle_and_slack(guess, &unknowns, &family);
+                Middle { rates: self.rates(guess, &unknowns, &x), slack: Some(slack?) }
+            }
+        })
     }
 
     /// As [`RateProblem::rates_of`].

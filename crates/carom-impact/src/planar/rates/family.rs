@@ -45,21 +45,31 @@ impl<const N: usize, const M: usize> Equations<'_, N, M> {
         unknowns: &Unknowns<N, M>,
         family: &Solutions<M>,
     ) -> [f64; M] {
+        self.middle_and_slack(guess, unknowns, family).0
+    }
+
+    /// The same, and its smallest slack in units of the ample rate, where that is known.
+    pub(super) fn middle_and_slack(
+        &self,
+        guess: &[Guess; N],
+        unknowns: &Unknowns<N, M>,
+        family: &Solutions<M>,
+    ) -> ([f64; M], Option<f64>) {
         let unit = self.ample_rate();
         if unit == 0.0 {
-            return family.point;
+            return (family.point, None);
         }
         // In units of the ample rate, so that no unit of impulse or force decides.
         let mut slacks = Slacks::<M>::of(family.freedom);
         self.each_force_slack(guess, unknowns, |slack| {
             slacks.push(slack.at(&family.point) / unit, |d| slack.along(&family.free[d]));
         });
-        let Some((z, slack)) = slacks.largest_smallest(1.0) else { return family.point };
+        let Some((z, slack)) = slacks.largest_smallest(1.0) else { return (family.point, None) };
         let wedged = slack >= 1.0 - SLACK_TOLERANCE;
         if wedged && let Some(x) = self.least_that_holds(guess, unknowns, family) {
-            return x;
+            return (x, Some(slack));
         }
-        moved(&family.point, &z.map(|z| unit * z), &family.free[..family.freedom])
+        (moved(&family.point, &z.map(|z| unit * z), &family.free[..family.freedom]), Some(slack))
     }
 
     /// The member with the least sum of squares among those whose slacks are not negative, from the least of all members: the projection

@@ -7,4 +7,5 @@ pub(in crate::planar) mod family;
 pub mod forces;
 pub(in crate::planar) mod pair;
 pub mod rate;
+mod standstill;
 pub(in crate::planar) mod verify;

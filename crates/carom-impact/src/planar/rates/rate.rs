@@ -10,6 +10,7 @@
 
 use super::answer::{Answer, Broken, Guess, Solution};
 use super::equations::Equations;
+use super::standstill::Standstill;
 use crate::Load;
 use crate::planar::contacts::names::Slip;
 use crate::planar::contacts::set::Block;
@@ -63,6 +64,32 @@ pub const MOST_EXAMINED: usize = 6;
 /// A contact holds or not, and sticks or slips forward or backward.
 const MOST_OPTIONS: usize = 6;
 
+/// What each contact may do.
+pub(super) struct Options<const N: usize> {
+    of: [[Guess; MOST_OPTIONS]; N],
+    number: [usize; N],
+    count: usize,
+}
+
+impl<const N: usize> Options<N> {
+    fn of<const M: usize>(problem: &RateProblem<'_, N, M>) -> Self {
+        let none = [Guess { holds: false, slip: Slip::Open }; MOST_OPTIONS];
+        let mut options = Self { of: [none; N], number: [0; N], count: problem.count.min(N) };
+        for i in 0..options.count {
+            for (place, option) in options.of[i].iter_mut().zip(problem.options(i)) {
+                *place = option;
+                options.number[i] += 1;
+            }
+        }
+        options
+    }
+
+    /// Those of each contact.
+    pub(super) fn each(&self) -> impl Iterator<Item = &[Guess]> + Clone {
+        self.of.iter().zip(self.number).map(|(of, number)| &of[..number]).take(self.count)
+    }
+}
+
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// Tries every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without
     /// examining whether there are others.
@@ -92,10 +119,17 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         self.solve_by_elimination()
     }
 
-    /// The answer for any number of contacts.
+    /// The answer for any number of contacts. Hypotheses that leave no response are one, and are not tried each on its own where that is clear.
     pub(super) fn solve_by_elimination(&self) -> Answer<N> {
         let equations = Equations::of(self);
-        self.each_hypothesis(|guess| equations.solution(guess))
+        let options = Options::of(self);
+        let standstill = Standstill::of(&equations, &options);
+        let mut answer =
+            self.each_hypothesis(&options, standstill.as_ref(), |guess| equations.solution(guess));
+        if let Some(solution) = standstill.and_then(|of| of.solution) {
+            answer.keep(solution, self.count, self.scale());
+        }
+        answer
     }
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that it breaks most to `reject`.
@@ -119,37 +153,56 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// ```
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Broken)) -> Answer<N> {
         let equations = Equations::of(self);
-        self.each_hypothesis(|guess| equations.try_guess(guess).map_err(|broken| reject(guess, broken)).ok())
+        self.each_hypothesis(&Options::of(self), None, |guess| {
+            equations.try_guess(guess).map_err(|broken| reject(guess, broken)).ok()
+        })
     }
 
-    /// Tries every hypothesis and keeps those that pass.
-    fn each_hypothesis(&self, mut try_one: impl FnMut(&[Guess; N]) -> Option<Solution<N>>) -> Answer<N> {
+    /// Tries every hypothesis, but those that leave no response where it is known what they come to, and keeps those that pass.
+    fn each_hypothesis(
+        &self,
+        options: &Options<N>,
+        standstill: Option<&Standstill<N, M>>,
+        mut try_one: impl FnMut(&[Guess; N]) -> Option<Solution<N>>,
+    ) -> Answer<N> {
         let mut answer = Answer { solutions: [None; 4], count: 0, examined: true };
         if self.count > N {
             return answer;
         }
         let scale = self.scale();
-        let mut options = [[Guess { holds: false, slip: Slip::Open }; MOST_OPTIONS]; N];
-        let mut number = [0; N];
-        for i in 0..self.count {
-            for (place, option) in options[i].iter_mut().zip(self.options(i)) {
-                *place = option;
-                number[i] += 1;
-            }
-        }
-        let mut guess = options.map(|of| of[0]);
+        let mut guess = options.of.map(|of| of[0]);
         let mut choice = [0; N];
+        // Velocities that are held by the contacts from each one on, and how many of them.
+        let (mut held, mut count) = ([[0.0; M]; M], [0; N]);
+        let mut turned = self.count;
         loop {
-            if let Some(solution) = try_one(&guess) {
+            // What the contacts hold whose option is new, from the last one down to the first: at one of them nothing may be left.
+            let at_rest = standstill.and_then(|standstill| {
+                (0..turned.min(self.count)).rev().find(|&i| {
+                    let before = if i + 1 < self.count { count[i + 1] } else { 0 };
+                    let holds = standstill.hold((i, guess[i]), &mut held, before);
+                    holds.is_none_or(|now| {
+                        count[i] = now;
+                        false
+                    })
+                })
+            });
+            if at_rest.is_none()
+                && let Some(solution) = try_one(&guess)
+            {
                 answer.keep(solution, self.count, scale);
             }
-            // Steps like an odometer over the options of each contact.
-            let Some(turned) = (0..self.count).find(|&i| choice[i] + 1 < number[i]) else { return answer };
-            choice[turned] += 1;
-            choice[..turned].fill(0);
-            for i in 0..=turned {
-                guess[i] = options[i][choice[i]];
+            // Steps like an odometer over the options of each contact; past all of those whose contacts before hold everything already.
+            let from = at_rest.unwrap_or(0);
+            let Some(next) = (from..self.count).find(|&i| choice[i] + 1 < options.number[i]) else {
+                return answer;
+            };
+            choice[next] += 1;
+            choice[..next].fill(0);
+            for i in 0..=next {
+                guess[i] = options.of[i][choice[i]];
             }
+            turned = next + 1;
         }
     }
 
