@@ -45,7 +45,7 @@ cargo xtask COMMAND
   book                      makes the transcripts, figures and reference pages of the book anew, by running
                             `carom` as book/commands.txt says
   book check                compares them with what is there, and looks at the book's pages
-  campaign [--share S] [--seed N] [--out FILE]
+  campaign [--share S] [--seed N] [--case N] [--out FILE]
                             10⁸ random impacts at one contact, 10⁶ at several and 10⁵ feeders, or a share of
                             them: what came out, the worst residuals; exits 1 where a promise broke
   digest                    one digest over a fixed set of runs, which must be the same in debug and

@@ -1,4 +1,4 @@
-//! `carom-campaign [--share S] [--seed N] [--out FILE]`: random cases by the million; 1 is 10⁸ single impacts, 10⁶ at several contacts and 2·10⁵ feeders.
+//! `carom-campaign [--share S] [--seed N] [--case N] [--out FILE]`: random cases by the million; 1 is 10⁸ single impacts, 10⁶ at several contacts and 2·10⁵ feeders.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it reports to the person who runs it")]
 
 mod chains;
@@ -35,12 +35,14 @@ const PARTS: u64 = 20;
 struct Asked {
     share: f64,
     seed: u64,
+    case: Option<u64>,
     out: Option<String>,
 }
 
-const USAGE: &str = "usage: cargo xtask campaign [--share S] [--seed N] [--out FILE]
+const USAGE: &str = "usage: cargo xtask campaign [--share S] [--seed N] [--case N] [--out FILE]
   --share S   of 10⁸ impacts at one contact, 10⁶ at several and 2·10⁵ feeders; above 0, at most 1000 [default: 1]
   --seed N    other cases; a whole number from 0 [default: 1]
+  --case N    of each kind the case of this number alone, as a page names it
   --out FILE  writes the page into a file as well";
 
 fn main() -> ExitCode {
@@ -59,7 +61,7 @@ fn main() -> ExitCode {
 }
 
 fn asked(words: &[String]) -> Result<Asked, String> {
-    let mut asked = Asked { share: 1.0, seed: 1, out: None };
+    let mut asked = Asked { share: 1.0, seed: 1, case: None, out: None };
     for pair in words.chunks(2) {
         let [key, value] = pair else { return Err(format!("{} needs a value", pair[0])) };
         let bad = |allowed: &str| format!("{key} {value}: {allowed}");
@@ -69,6 +71,7 @@ fn asked(words: &[String]) -> Result<Asked, String> {
                 asked.share = share.ok_or_else(|| bad("a number above 0, at most 1000"))?;
             }
             "--seed" => asked.seed = value.parse().map_err(|_| bad("a whole number from 0"))?,
+            "--case" => asked.case = Some(value.parse().map_err(|_| bad("a whole number from 0"))?),
             "--out" => asked.out = Some(value.clone()),
             _ => return Err(format!("not an option: {key}")),
         }
@@ -80,16 +83,18 @@ fn run(asked: &Asked) -> ExitCode {
     // What a case breaks is named in the tally; the messages of panics would drown it.
     std::panic::set_hook(Box::new(|_| {}));
     let mut page = format!(
-        "# A campaign of random cases\n\nMade by `cargo xtask campaign --share {} --seed {}`, on {} threads.\n",
+        "# A campaign of random cases\n\nMade by `cargo xtask campaign --share {} --seed {}{}`, on {} threads.\n",
         asked.share,
         asked.seed,
+        asked.case.map_or_else(String::new, |case| format!(" --case {case}")),
         rayon::current_num_threads()
     );
     let mut sound = true;
     for kind in &KINDS {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 10¹¹")]
-        let cases = (kind.cases * asked.share).ceil() as u64;
-        let (tally, seconds) = campaign(kind, asked.seed, cases);
+        let all = (kind.cases * asked.share).ceil() as u64;
+        let (first, cases) = asked.case.map_or((0, all), |case| (case, 1));
+        let (tally, seconds) = campaign(kind, asked.seed, (first, cases));
         sound &= tally.broken.is_empty();
         page += &format!("\n## {}\n\n{cases} cases in {seconds:.0} s.\n\n{}", kind.title, tally.page());
     }
@@ -103,7 +108,8 @@ fn run(asked: &Asked) -> ExitCode {
     if sound { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-fn campaign(kind: &Kind, seed: u64, cases: u64) -> (Tally, f64) {
+/// So many cases of a kind, from the first one's number on.
+fn campaign(kind: &Kind, seed: u64, (first, cases): (u64, u64)) -> (Tally, f64) {
     let started = Instant::now();
     let mut tally = Tally::default();
     for part in 0..PARTS {
@@ -112,7 +118,7 @@ fn campaign(kind: &Kind, seed: u64, cases: u64) -> (Tally, f64) {
         let own = (0..chunks).into_par_iter().map(|chunk| {
             let mut own = Tally::default();
             for number in from + chunk * CHUNK..(from + (chunk + 1) * CHUNK).min(to) {
-                own.guarded(number, |tally| (kind.case)(seed, number, tally));
+                own.guarded(first + number, |tally| (kind.case)(seed, first + number, tally));
             }
             own
         });

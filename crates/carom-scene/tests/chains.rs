@@ -188,6 +188,19 @@ fn a_half_disc_that_swings_for_ever_is_told_with_the_face_of_its_arc() {
 }
 
 #[test]
+fn a_disc_that_slides_to_and_fro_in_a_bowl_without_friction_swings_for_ever_and_spins_on() {
+    let bowl = "[[plate]]\nname = \"bowl\"\nfriction = 0\nchain = [[\"-200 mm\", \"100 mm\"], { arc = { radius = \"250 mm\", turn = \"left\" } }, [\"200 mm\", \"100 mm\"]]\n";
+    for speed in ["0 m/s", "0.3 m/s"] {
+        let text = format!("{START}speed = \"{speed}\"\n{DISC}{bowl}");
+        let (scene, run) = (read(&text), run(&text));
+        assert_eq!(run.outcome, Outcome::NeverFlat, "from {speed}");
+        let told = carom_words::run::headline(scene.feeder(), &run);
+        assert_eq!(told.because, "it swings to and fro, and nothing takes energy from it", "from {speed}");
+        assert!(run.end_time < 10.0, "a swing is enough, not the whole budget: {} s", run.end_time);
+    }
+}
+
+#[test]
 fn a_chain_that_crosses_itself_or_only_rises_or_has_nothing_to_round_is_refused() {
     for (chain, says) in [
         (

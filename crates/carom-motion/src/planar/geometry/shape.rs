@@ -273,6 +273,11 @@ impl Shape {
         self.radii.iter().any(|r| *r != 0.0)
     }
 
+    /// True for a disc about its mass centre.
+    pub(in crate::planar) fn is_disc(&self) -> bool {
+        self.vertices.iter().all(|v| *v == Vec2::ZERO)
+    }
+
     /// True for a straight rod without thickness.
     pub(in crate::planar) fn is_thin_rod(&self) -> bool {
         self.radii[0] == 0.0 && self.vertices.len() == 2

@@ -87,6 +87,9 @@ impl<const B: usize> Walker<'_, B> {
         match stop {
             Ok(Stop::Event { event, .. }) => {
                 self.sample_here(observers);
+                if self.comes_back_at(&event) {
+                    return Ok(self.swings((start_time, start), observers));
+                }
                 self.report_piece(start_time, start, |b| self.piece_end(&event, b), observers);
                 self.resolve(&event, observers)
             }
@@ -94,11 +97,7 @@ impl<const B: usize> Walker<'_, B> {
                 self.report_piece(start_time, start, |_| PieceEnd::TimeUp, observers);
                 Ok(Happening::BudgetSpent)
             }
-            Ok(Stop::End(Over::Swings)) => {
-                self.report_piece(start_time, start, |_| PieceEnd::Swings, observers);
-                self.ended = Some(Happening::Swings);
-                Ok(Happening::Swings)
-            }
+            Ok(Stop::End(Over::Swings)) => Ok(self.swings((start_time, start), observers)),
             // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
             Err(Lost::Short(_)) if self.slips() => {
                 let edge = Event::Watched(Watched::plain(Watch::Regular));
@@ -109,6 +108,17 @@ impl<const B: usize> Walker<'_, B> {
             Err(Lost::Number) => Err(MotionError::NotFinite { time: self.time }),
             Err(Lost::Steps) => Err(MotionError::TooManySteps { time: self.time, steps: MOST_STEPS }),
         }
+    }
+
+    /// Ends the walk in a swing.
+    fn swings(
+        &mut self,
+        (start_time, start): (f64, &[State; B]),
+        observers: &mut Observers<'_, B>,
+    ) -> Happening {
+        self.report_piece(start_time, start, |_| PieceEnd::Swings, observers);
+        self.ended = Some(Happening::Swings);
+        Happening::Swings
     }
 
     /// A first step to try: long where two contacts of one face leave only a steady slide, shorter where one of them nears the face's middle,

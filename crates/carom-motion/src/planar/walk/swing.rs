@@ -1,31 +1,31 @@
 //! Motion to and fro that nothing takes energy from and nothing ends.
 
+use super::events::Event;
 use super::walker::Walker;
 use crate::planar::geometry::{State, Twist};
-use crate::planar::modes::mode::Held;
+use crate::planar::modes::{mode::Held, watch::Watch};
+use crate::tolerance::STILL_SPEED;
 use carom_impact::planar::Slip;
 
-/// Turning points after which a body has been wherever its swing leads.
+/// Turning points after which a body has been wherever its swing leads: as it loses no energy, it does the same for ever.
 const TURNING_POINTS: u32 = 2;
 
 /// What is seen of a piece of motion that can only go forth and back on one path.
 pub(super) struct Swing {
+    /// Nothing turns the body: its spin stays what it is, and says nothing.
+    spins_freely: bool,
     last: Twist,
-    turning_points: u32,
 }
 
 impl Swing {
-    /// True where the body has come back: it has turned round at both ends of its path, and no event was on the way. As it
-    /// loses no energy, it does the same for ever.
-    pub(super) fn comes_back(&mut self, state: &State) -> bool {
-        let (was, is) = (self.last, state.twist);
-        // A body that rolls turns round in its spin, one that slides on a bent plate in its velocity.
-        let turns = was.velocity.dot(is.velocity) < 0.0 && was.spin * is.spin <= 0.0;
-        self.turning_points += u32::from(turns);
-        if is != Twist::default() {
-            self.last = is;
+    /// True where the body has turned round since it was last seen.
+    fn turned(&mut self, twist: Twist) -> bool {
+        let was = self.last;
+        if twist != Twist::default() {
+            self.last = twist;
         }
-        self.turning_points >= TURNING_POINTS
+        // A body that rolls turns round in its spin, one that slides on a bent plate in its velocity.
+        was.velocity.dot(twist.velocity) < 0.0 && (self.spins_freely || was.spin * twist.spin <= 0.0)
     }
 }
 
@@ -37,7 +37,30 @@ impl<const B: usize> Walker<'_, B> {
         }
         let lossless = |h: &Held| h.slip == Slip::Sticks || self.world.surface(h.pair).friction == 0.0;
         let constraints: u32 = self.held.iter().map(|h| if h.slip == Slip::Sticks { 2 } else { 1 }).sum();
-        let one_path = constraints >= 2 && self.held.iter().all(lossless);
-        one_path.then(|| Swing { last: self.states[0].twist, turning_points: 0 })
+        // A disc that only slides, without friction, is pushed through its centre.
+        let slides = self.held.iter().all(|h| h.slip != Slip::Sticks);
+        let spins_freely = slides && self.world.bodies[0].shape.is_disc();
+        let one_path = constraints >= if spins_freely { 1 } else { 2 } && self.held.iter().all(lossless);
+        one_path.then(|| Swing { spins_freely, last: self.states[0].twist })
+    }
+
+    /// True where the body has come back after this step: it has turned round at both ends of its path, and no other event was on the way.
+    pub(super) fn comes_back(&mut self, swing: Option<&mut Swing>, state: &State) -> bool {
+        self.turning_points += u32::from(swing.is_some_and(|swing| swing.turned(state.twist)));
+        self.turning_points >= TURNING_POINTS
+    }
+
+    /// The same at an event: a slip without friction that stops, and with it the body, is a turning point. Any other event begins anew.
+    pub(super) fn comes_back_at(&mut self, event: &Event) -> bool {
+        let slip_stops = matches!(event, Event::Watched(watched) if matches!(watched.what, Watch::Slip(_)));
+        let Twist { velocity, spin } = self.states[0].twist;
+        let still = |v: f64, scale: f64| v.abs() <= STILL_SPEED * scale;
+        let stops = |swing: Swing| {
+            still(velocity.norm(), self.scales.speed)
+                && (swing.spins_freely || still(spin, 1.0 / self.scales.time))
+        };
+        let turns = slip_stops && self.swing().is_some_and(stops);
+        self.turning_points = if turns { self.turning_points + 1 } else { 0 };
+        self.turning_points >= TURNING_POINTS
     }
 }

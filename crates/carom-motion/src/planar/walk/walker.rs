@@ -67,6 +67,8 @@ pub struct Walker<'w, const B: usize = 1> {
     pub(in crate::planar) begun: bool,
     /// A swing that nothing ends is the end of the walk.
     pub(super) ends_at_swings: bool,
+    /// How often in a row a body that swings has turned round.
+    pub(super) turning_points: u32,
     pub(in crate::planar) turned: Turned<B>,
     /// A number was lost on the way.
     lost: bool,
@@ -187,6 +189,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             path: None,
             begun: false,
             ends_at_swings: false,
+            turning_points: 0,
             turned: Turned::default(),
             lost: false,
         };
