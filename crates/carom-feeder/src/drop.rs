@@ -46,14 +46,14 @@ impl Feeder {
         check(self).map_err(RunError::Problems)?;
         let world = self.world().map_err(RunError::Problems)?;
         let start = self.start_state();
-        let crossing = self.crossings(&world, &start);
-        if !crossing.is_empty() {
-            return Err(RunError::Problems(crossing));
-        }
         // A rod without thickness lies on what it starts on: a little above it is its side.
         let normal = self.start_place().map_or(Vec2::ZERO, |(_, downhill)| upward(downhill));
         let above = start.pose.centre + normal * (ABOVE * self.part.body.shape.size());
-        let sides = world.obstacles.iter().map(|o| o.is_left_of(above)).collect();
+        let sides: Vec<bool> = world.obstacles.iter().map(|o| o.is_left_of(above)).collect();
+        let crossing = self.crossings(&world, &start, &sides);
+        if !crossing.is_empty() {
+            return Err(RunError::Problems(crossing));
+        }
         Ok(Prepared { feeder: self, world, start, sides, options })
     }
 
@@ -165,10 +165,11 @@ impl Feeder {
         }
     }
 
-    /// Plates and walls that cross the part where it starts.
-    fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
+    /// Plates and walls that cross the part where it starts, on these sides of them.
+    fn crossings(&self, world: &World, start: &State, sides: &[bool]) -> Vec<FeederProblem> {
         let slack = CROSSES_START * self.part.body.shape.size();
-        let crosses = |i: &usize| world.may_touch(0, start, *i) && world.overlap(0, start, *i) > slack;
+        let reach = |i: usize| world.overlap(0, start, i).max(world.reach_across(0, start, i, sides[i]));
+        let crosses = |i: &usize| world.may_touch(0, start, *i) && reach(*i) > slack;
         (0..world.obstacles.len())
             .filter(crosses)
             .map(|i| FeederProblem::CrossesStart { path: self.obstacle_path(i) })

@@ -12,7 +12,7 @@ use crate::paper;
 
 use carom_feeder::{Run, Stage, StageName, Verdict};
 use carom_motion::planar::trace::PieceEnd;
-use carom_motion::planar::{ChainPoint, State};
+use carom_motion::planar::{ChainPoint, Options, State};
 use carom_num::Vec2;
 use serde_json::Value;
 
@@ -211,6 +211,31 @@ fn a_rod_slides_over_a_bend_of_its_plate() {
                 );
                 assert!(run.landings.iter().any(|landing| landing.plate == 1), "it comes to the lower plate");
             }
+        }
+    }
+}
+
+/// Where a plate gets less steep, a rod across the kink goes through the one stretch or the other, though neither has a thickness; where it gets steeper,
+/// it stands out over it.
+#[test]
+fn a_rod_that_starts_across_a_hollow_kink_is_refused() {
+    for (slope_deg, turn) in [(19.4, -0.3), (25.5, -0.02), (25.5, 0.02), (33.1, 0.2)] {
+        let mut bent = paper::feeder(slope_deg, (0.428, 0.3), 0.0);
+        let upper = &mut bent.plates[0];
+        let (kink, edge) = (upper.uphill * 0.6, upper.edge);
+        let way = Vec2::at_angle(turn);
+        upper.uphill = kink + (kink - edge).rotated(way.x, way.y) * 2.0;
+        upper.unbounded = false;
+        upper.form.course = [upper.uphill, kink, edge].map(ChainPoint::straight).into();
+        // The rod is 0.1 m long.
+        for (from_kink, across) in [(0.06, false), (0.03, true), (-0.03, true), (-0.06, false)] {
+            bent.start.to_edge = (kink - edge).norm() + from_kink;
+            let refused = bent.prepare(Options::default()).is_err();
+            assert_eq!(
+                refused,
+                across && turn < 0.0,
+                "{slope_deg}°, bent by {turn}, {from_kink} m from the kink"
+            );
         }
     }
 }

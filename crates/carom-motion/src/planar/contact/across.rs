@@ -3,6 +3,7 @@
 use super::World;
 use super::kinematics::{Pairing, Turn};
 use crate::planar::geometry::{Behind, Feature, Obstacle, State};
+use crate::tolerance::THIN_TOUCHES;
 use carom_num::Vec2;
 
 /// Rods whose ends are this many times as far from a line as counts as touching are in line with it.
@@ -65,6 +66,38 @@ impl Obstacle {
 }
 
 impl World {
+    /// How far a rod without thickness reaches through an obstacle without thickness, on whose left side it lies or else on its right one [m]; 0 where it
+    /// does not go through it, and for all that is thick: [`World::overlap`] tells of that.
+    ///
+    /// # Example
+    /// A rod of 1 m lies on a slope, its lower half beyond the kink from which the plate rises again.
+    /// ```
+    /// use carom_motion::planar::{ChainPoint, Obstacle, Pose, Shape, State, World, examples};
+    /// use carom_num::Vec2;
+    /// let plate = [(-3.0, 0.0), (0.0, 0.0), (4.0, 3.0)].map(|(x, y)| ChainPoint::straight(Vec2::new(x, y)));
+    /// let plate = Obstacle::of_shape(Shape::of_open_chain(&plate).unwrap(), 0.3, 0.0);
+    /// let (ball, _) = examples::falling_ball();
+    /// let world = World { bodies: vec![examples::rod(1.0, 1.0, 1.0)], obstacles: vec![plate], ..ball };
+    /// let lies = |x| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, ..State::default() };
+    /// assert!((world.reach_across(0, &lies(0.0), 0, true) - 0.3).abs() < 1e-15);
+    /// assert_eq!(world.reach_across(0, &lies(-1.0), 0, true), 0.0);
+    /// ```
+    pub fn reach_across(&self, body: usize, state: &State, obstacle: usize, left: bool) -> f64 {
+        let (rod, o) = (&self.bodies[body].shape, &self.obstacles[obstacle]);
+        if !(rod.is_thin_rod() && o.is_thin()) {
+            return 0.0;
+        }
+        let turn = Turn::of(state);
+        let [from, to] = [0, 1].map(|v| state.pose.centre + turn.apply(rod.vertices()[v]));
+        let on_it =
+            |share: f64| o.shape().depth_of(from + (to - from) * share).abs() <= THIN_TOUCHES * rod.size();
+        if !o.shape().cuts(from, to).into_iter().any(on_it) {
+            return 0.0;
+        }
+        let beyond = |end: Vec2| if left { -o.off_to_left(end) } else { o.off_to_left(end) };
+        beyond(from).max(beyond(to)).max(0.0)
+    }
+
     /// The side of an obstacle on which a body is known to be, by a list of all sides: left of its direction or not.
     pub(in crate::planar) fn side(&self, sides: &[bool], (body, obstacle): (usize, usize)) -> Option<bool> {
         sides.get(self.place(body, obstacle)).copied()
