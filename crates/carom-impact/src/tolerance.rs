@@ -36,7 +36,7 @@ pub(crate) const NO_RESPONSE: f64 = 1e-10;
 pub(crate) const CLEARLY: f64 = 1e-6;
 /// A velocity of a contact counts as independent of others where it is beyond this fraction of its length from what they make [1] …
 pub(crate) const INDEPENDENT: f64 = 1e-3;
-/// … and as made by them where it is nearer than this fraction [1]. What lies between is not clear.
+/// … and as made by them where it is nearer than this fraction [1]. What lies between is independent, and never counts as held.
 pub(crate) const MADE_BY_OTHERS: f64 = 1e-12;
 /// Normal rates of one contact that differ by less than this fraction of the ample rate are one [1]: its share is not open.
 pub(crate) const SAME_RATE: f64 = 1e-9;

@@ -83,16 +83,35 @@ fn what_leaves_no_response_is_answered_at_once_as_if_all_of_it_were_tried() {
         let set = set(case, &number);
         let problem = problem(case, &set, &number);
         let (quick, tried) = (problem.solve(), problem.solve_observed(&mut |_, _| {}));
+        let holds = |s: &Solution<6>| s.guess[..set.count].iter().all(|g| g.holds && g.slip == Slip::Sticks);
         // Beyond those that are kept, one motion counts as often as it is found.
         let many = quick.count > Answer::<6>::KEPT && tried.count >= quick.count;
+        assert_eq!(quick.iter().any(holds), tried.iter().any(holds), "case {case}: it stays, or not");
         assert!(
             many || quick.count == tried.count && within(&quick, &tried) && within(&tried, &quick),
             "case {case}: {quick:#?}\nand not\n{tried:#?}"
         );
         *[&mut none, &mut one, &mut several][quick.count.min(2)] += 1;
-        let holds = |s: &Solution<6>| s.guess[..set.count].iter().all(|g| g.holds && g.slip == Slip::Sticks);
         still += u32::from(quick.iter().any(holds));
     }
     println!("no solution {none}, one {one}, several {several}; all contacts stick in {still}");
     assert!(none.min(one).min(several).min(still) > CASES / 100, "{none}, {one}, {several}, {still}");
+}
+
+#[test]
+fn more_contacts_than_there_is_room_for_have_no_solution() {
+    let set = set(1, &numbers(1));
+    let problem = RateProblem { count: 7, ..problem(1, &set, &numbers(1)) };
+    let counts = (problem.solve().count, problem.solve_observed(&mut |_, _| {}).count);
+    assert_eq!(counts, (0, 0), "seven contacts in a problem of six");
+    let operator = std::array::from_fn::<_, 4, _>(|i| std::array::from_fn(|j| set.operator[i % 3][j % 3]));
+    let small = RateProblem::<4, 8> {
+        count: 5,
+        operator: &operator,
+        friction: &[0.5; 4],
+        drive: [[0.0, -1.0]; 4],
+        slip: [0.0; 4],
+        load: [Load::Touching(0.0); 4],
+    };
+    assert_eq!(small.solve().count, 0, "five contacts in a problem of four");
 }

@@ -187,16 +187,44 @@ fn a_half_disc_that_swings_for_ever_is_told_with_the_face_of_its_arc() {
     assert_eq!(told.because, "it swings to and fro on face 1, and nothing takes energy from it");
 }
 
+/// A bowl without friction whose left end is this high.
+fn smooth_bowl(left: &str) -> String {
+    format!(
+        "[[plate]]\nname = \"bowl\"\nfriction = 0\nchain = [{left}, {{ arc = {{ radius = \"250 mm\", turn = \"left\" }} }}, [\"200 mm\", \"100 mm\"]]\n[[plate]]\nname = \"below\"\nslope = \"20 deg\"\nbelow = {{ x = \"20 mm\", y = \"-220 mm\" }}\n"
+    )
+}
+
 #[test]
-fn a_disc_that_slides_to_and_fro_in_a_bowl_without_friction_swings_for_ever_and_spins_on() {
-    let bowl = "[[plate]]\nname = \"bowl\"\nfriction = 0\nchain = [[\"-200 mm\", \"100 mm\"], { arc = { radius = \"250 mm\", turn = \"left\" } }, [\"200 mm\", \"100 mm\"]]\n";
-    for speed in ["0 m/s", "0.3 m/s"] {
+fn a_disc_that_slides_to_and_fro_in_a_bowl_without_friction_swings_for_ever() {
+    let bowl = smooth_bowl("[\"-200 mm\", \"100 mm\"]");
+    // It starts 22 mm from the lowest point; of small swings the period is 2π √(244 mm/g).
+    let period = std::f64::consts::TAU * (0.244 / 9.80665_f64).sqrt();
+    for (speed, swings) in [("0 m/s", 1.0), ("0.3 m/s", 0.75)] {
         let text = format!("{START}speed = \"{speed}\"\n{DISC}{bowl}");
         let (scene, run) = (read(&text), run(&text));
         assert_eq!(run.outcome, Outcome::NeverFlat, "from {speed}");
         let told = carom_words::run::headline(scene.feeder(), &run);
         assert_eq!(told.because, "it swings to and fro, and nothing takes energy from it", "from {speed}");
-        assert!(run.end_time < 10.0, "a swing is enough, not the whole budget: {} s", run.end_time);
+        let share = run.end_time / period;
+        assert!(share > 0.9 * swings && share < 1.3, "it was at both ends: after {share} periods");
+    }
+}
+
+#[test]
+fn what_turns_round_once_and_leaves_does_not_swing() {
+    let out = format!(
+        "{START}speed = \"0.469 m/s\"\n{DISC}{}",
+        smooth_bowl("[\"-60 mm\", \"7.306778009768067 mm\"]")
+    );
+    assert_eq!(run(&out).outcome, Outcome::Landed, "over the low end");
+    let plates = "[[plate]]\nname = \"upper\"\nfrom = [\"-300 mm\", \"80 mm\"]\nto = [\"0 mm\", \"0 mm\"]\n[[plate]]\nname = \"lower\"\nfrom = [\"400 mm\", \"-40 mm\"]\nto = [\"-100 mm\", \"-120 mm\"]\n[[plate]]\nname = \"third\"\nfrom = [\"-300 mm\", \"-160 mm\"]\nto = [\"300 mm\", \"-250 mm\"]\n";
+    for part in [DISC, BOX] {
+        for to_edge in [100, 103, 109, 115, 133, 160, 190, 217] {
+            let start =
+                format!("[contact]\nfriction = 0\nrestitution = 0.1\n[start]\nto_edge = \"{to_edge} mm\"\n");
+            let zigzag = run(&format!("{start}{part}{plates}"));
+            assert_eq!(zigzag.outcome, Outcome::Landed, "{to_edge} mm from the edge: down the three plates");
+        }
     }
 }
 

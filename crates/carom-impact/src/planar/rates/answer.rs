@@ -115,6 +115,9 @@ impl<const N: usize> Answer<N> {
     /// How many solutions are kept.
     pub const KEPT: usize = 4;
 
+    /// No solution, so far.
+    pub(in crate::planar) const NONE: Self = Self { solutions: [None; 4], count: 0, examined: true };
+
     /// The kept solutions.
     pub fn iter(&self) -> impl Iterator<Item = &Solution<N>> {
         self.solutions.iter().flatten()

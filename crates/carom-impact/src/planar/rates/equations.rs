@@ -26,7 +26,7 @@ pub(in crate::planar) struct Equations<'p, const N: usize, const M: usize> {
 enum Found<const N: usize, const M: usize> {
     /// These rates and no others.
     One(PerContact<N>),
-    /// ContactSet24, with one motion.
+    /// Many rates, all with one motion.
     Family(Solutions<M>),
 }
 

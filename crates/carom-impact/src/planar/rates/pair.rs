@@ -40,7 +40,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// The answer for one contact.
     pub(super) fn solve_one(&self) -> Answer<N> {
         let scale = self.scale();
-        let mut answer = Answer { solutions: [None; 4], count: 0, examined: true };
+        let mut answer = Answer::NONE;
         let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         let response = Response::of(matrix(&self.operator[0][0]));
         for first in self.options(0) {
@@ -63,7 +63,7 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
     /// The answer for two contacts.
     pub(super) fn solve_two(&self) -> Answer<N> {
         let scale = self.scale();
-        let mut answer = Answer { solutions: [None; 4], count: 0, examined: true };
+        let mut answer = Answer::NONE;
         let mut guess = [Guess { holds: false, slip: Slip::Open }; N];
         let firsts = self.options(0);
         for second in self.options(1) {

@@ -4,7 +4,8 @@
 //! `w = drive + W (q, r)`. Signorini: `0 ≤ xᵢ ⊥ wₙᵢ ≥ 0`. Coulomb: `qᵢ = −μᵢ sᵢ rᵢ` while it slips with sign sᵢ; at zero slip either it
 //! sticks (`wₜᵢ = 0`, `|qᵢ| ≤ μᵢ rᵢ`) or it starts to slip with sign s where `s wₜᵢ ≥ 0`.
 //!
-//! Every hypothesis is tried; each consistent one is a solution, each other one names the inequality that rejects it. Hypotheses whose
+//! Every hypothesis is tried, those of one [standstill](super::standstill) by one of them; each consistent one is a solution, each other one
+//! names the inequality that rejects it. Hypotheses whose
 //! motions `w` agree are one solution. Where a hypothesis leaves the forces indeterminate (a box held by two sticking contacts), the
 //! member of the family whose smallest slack is largest stands for it.
 
@@ -91,7 +92,7 @@ impl<const N: usize> Options<N> {
 }
 
 impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
-    /// Tries every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without
+    /// Examines every hypothesis and returns the solutions whose motions differ; of more than [`MOST_EXAMINED`] contacts one solution, without
     /// examining whether there are others.
     ///
     /// # Example
@@ -121,15 +122,13 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
 
     /// The answer for any number of contacts. Hypotheses that leave no response are one, and are not tried each on its own where that is clear.
     pub(super) fn solve_by_elimination(&self) -> Answer<N> {
+        if self.count > N {
+            return Answer::NONE;
+        }
         let equations = Equations::of(self);
         let options = Options::of(self);
         let standstill = Standstill::of(&equations, &options);
-        let mut answer =
-            self.each_hypothesis(&options, standstill.as_ref(), |guess| equations.solution(guess));
-        if let Some(solution) = standstill.and_then(|of| of.solution) {
-            answer.keep(solution, self.count, self.scale());
-        }
-        answer
+        self.each_hypothesis(&options, standstill.as_ref(), |guess| equations.solution(guess))
     }
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that it breaks most to `reject`.
@@ -165,11 +164,12 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
         standstill: Option<&Standstill<N, M>>,
         mut try_one: impl FnMut(&[Guess; N]) -> Option<Solution<N>>,
     ) -> Answer<N> {
-        let mut answer = Answer { solutions: [None; 4], count: 0, examined: true };
+        let mut answer = Answer::NONE;
         if self.count > N {
             return answer;
         }
         let scale = self.scale();
+        let mut still = standstill.and_then(|standstill| standstill.solution);
         let mut guess = options.of.map(|of| of[0]);
         let mut choice = [0; N];
         // Velocities that are held by the contacts from each one on, and how many of them.
@@ -187,9 +187,9 @@ impl<const N: usize, const M: usize> RateProblem<'_, N, M> {
                     })
                 })
             });
-            if at_rest.is_none()
-                && let Some(solution) = try_one(&guess)
-            {
+            // The solution that stands for all of those comes where the first of them would.
+            let solution = if at_rest.is_some() { still.take() } else { try_one(&guess) };
+            if let Some(solution) = solution {
                 answer.keep(solution, self.count, scale);
             }
             // Steps like an odometer over the options of each contact; past all of those whose contacts before hold everything already.

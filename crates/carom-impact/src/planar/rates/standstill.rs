@@ -8,7 +8,7 @@
 //! - where its forces have slack left, it is the farthest from being rejected: in another one a contact opens or starts at `w = 0`, with a margin
 //!   of nothing.
 //!
-//! What is not clear is not settled here: then every hypothesis is tried.
+//! Where its slack is not clear, every hypothesis is tried; a velocity that is not clearly independent of those that are held does not count as held.
 
 use super::answer::{Guess, Solution};
 use super::equations::Equations;
@@ -18,6 +18,9 @@ use crate::tolerance::{CLEARLY, INDEPENDENT, MADE_BY_OTHERS, NO_RESPONSE};
 
 /// Hypotheses from which on it is worth knowing.
 const WORTH_KNOWING: usize = 30;
+
+/// Friction up to which slacks are known to far less than what is clear.
+const STEEPEST_CONE: f64 = 100.0;
 
 /// What all hypotheses come to that leave no response.
 pub(super) struct Standstill<const N: usize, const M: usize> {
@@ -42,8 +45,13 @@ impl<const N: usize, const M: usize> Standstill<N, M> {
         for (most, of) in guess.iter_mut().zip(options.each()) {
             *most = *of.iter().max_by_key(|option| option.velocities().count())?;
         }
-        let found = equations.found_most(&guess)?;
         let problem = equations.problem;
+        // The largest slack of a family is a linear programme's, whose coefficients friction multiplies.
+        let steep = |mu: &f64| mu.is_finite() && *mu > STEEPEST_CONE;
+        if problem.friction[..problem.count].iter().any(steep) {
+            return None;
+        }
+        let found = equations.found_most(&guess)?;
         let (response, terms) = problem.response(&found.rates);
         let moves = |i: usize| (0..2).any(|axis| response[i][axis].abs() > NO_RESPONSE * terms[i][axis]);
         if (0..problem.count).any(moves) {

@@ -101,6 +101,7 @@ impl<const B: usize> Walker<'_, B> {
             // The normal force grows without bound (Painlevé's paradox): an impact stops the slip.
             Err(Lost::Short(_)) if self.slips() => {
                 let edge = Event::Watched(Watched::plain(Watch::Regular));
+                self.turning_points = 0;
                 self.report_piece(start_time, start, |b| self.piece_end(&edge, b), observers);
                 self.resolve(&edge, observers)
             }

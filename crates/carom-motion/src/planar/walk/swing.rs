@@ -12,20 +12,21 @@ const TURNING_POINTS: u32 = 2;
 
 /// What is seen of a piece of motion that can only go forth and back on one path.
 pub(super) struct Swing {
+    /// The body only slides: it turns round where a slip stops, which is an event of its own.
+    slides: bool,
     /// Nothing turns the body: its spin stays what it is, and says nothing.
     spins_freely: bool,
     last: Twist,
 }
 
 impl Swing {
-    /// True where the body has turned round since it was last seen.
+    /// True where a body that rolls has turned round since it was last seen: in its spin, and on a bent plate in its velocity.
     fn turned(&mut self, twist: Twist) -> bool {
         let was = self.last;
         if twist != Twist::default() {
             self.last = twist;
         }
-        // A body that rolls turns round in its spin, one that slides on a bent plate in its velocity.
-        was.velocity.dot(twist.velocity) < 0.0 && (self.spins_freely || was.spin * twist.spin <= 0.0)
+        !self.slides && was.velocity.dot(twist.velocity) < 0.0 && was.spin * twist.spin <= 0.0
     }
 }
 
@@ -41,7 +42,7 @@ impl<const B: usize> Walker<'_, B> {
         let slides = self.held.iter().all(|h| h.slip != Slip::Sticks);
         let spins_freely = slides && self.world.bodies[0].shape.is_disc();
         let one_path = constraints >= if spins_freely { 1 } else { 2 } && self.held.iter().all(lossless);
-        one_path.then(|| Swing { spins_freely, last: self.states[0].twist })
+        one_path.then(|| Swing { slides, spins_freely, last: self.states[0].twist })
     }
 
     /// True where the body has come back after this step: it has turned round at both ends of its path, and no other event was on the way.
@@ -54,10 +55,9 @@ impl<const B: usize> Walker<'_, B> {
     pub(super) fn comes_back_at(&mut self, event: &Event) -> bool {
         let slip_stops = matches!(event, Event::Watched(watched) if matches!(watched.what, Watch::Slip(_)));
         let Twist { velocity, spin } = self.states[0].twist;
-        let still = |v: f64, scale: f64| v.abs() <= STILL_SPEED * scale;
+        let still = |v: f64| v.abs() <= STILL_SPEED * self.scales.speed;
         let stops = |swing: Swing| {
-            still(velocity.norm(), self.scales.speed)
-                && (swing.spins_freely || still(spin, 1.0 / self.scales.time))
+            swing.slides && still(velocity.norm()) && (swing.spins_freely || still(spin * self.scales.length))
         };
         let turns = slip_stops && self.swing().is_some_and(stops);
         self.turning_points = if turns { self.turning_points + 1 } else { 0 };
