@@ -88,25 +88,35 @@ fn a_disc_rolls_to_and_fro_in_a_circular_chute_like_a_pendulum() {
 }
 
 #[test]
-fn a_walk_that_is_asked_to_ends_once_a_disc_has_rolled_to_and_fro() {
+fn a_walk_that_is_asked_to_ends_once_a_disc_has_rolled_or_slid_to_and_fro() {
     let (own, outer, amplitude) = (0.1, 0.5, 1.0);
-    let world = world(disc(own), vec![bowl(outer, 1.0)]);
-    let start = resting((outer - own) * sin(amplitude), -(outer - own) * cos(amplitude));
-    let walker = Walker::new(&world, start, vec![], Options::default()).unwrap();
-    let mut walker = walker.ending_at_swings();
-    let mut recorder = Recorder::default();
-    let end = loop {
-        match walker.advance(&mut recorder).unwrap() {
-            Happening::Moves => {}
-            other => break other,
-        }
-    };
-    assert_eq!(end, Happening::Swings, "nothing ends a swing without loss");
-    assert_eq!(walker.advance(&mut ()).unwrap(), Happening::Swings, "it stays the end");
-    let ended = recorder.into_trace().pieces.last().map(|piece| piece.ended_by);
-    assert_eq!(ended, Some(PieceEnd::Swings), "the last piece says so");
-    let period = chute(own, outer).rolling_period(amplitude).unwrap();
-    assert!(walker.time() > 0.5 * period && walker.time() < 2.0 * period, "{} of {period}", walker.time());
+    let theory = chute(own, outer);
+    // What slides spins on: so slowly that its slip stops on the way, or so fast that it never does.
+    for (friction, spin) in [(1.0, 0.0), (0.0, 0.0), (0.0, 3.0), (0.0, -80.0)] {
+        let world = world(disc(own), vec![bowl(outer, friction)]);
+        let mut start = resting((outer - own) * sin(amplitude), -(outer - own) * cos(amplitude));
+        start.twist.spin = spin;
+        let walker = Walker::new(&world, start, vec![], Options::default()).unwrap();
+        let mut walker = walker.ending_at_swings();
+        let mut recorder = Recorder::default();
+        let end = loop {
+            match walker.advance(&mut recorder).unwrap() {
+                Happening::Moves => {}
+                other => break other,
+            }
+        };
+        assert_eq!(end, Happening::Swings, "nothing ends a swing without loss");
+        assert_eq!(walker.advance(&mut ()).unwrap(), Happening::Swings, "it stays the end");
+        let ended = recorder.into_trace().pieces.last().map(|piece| piece.ended_by);
+        assert_eq!(ended, Some(PieceEnd::Swings), "the last piece says so");
+        let periods = [theory.smooth_period(amplitude), theory.rolling_period(amplitude)];
+        let period = periods[usize::from(friction > 0.0)].unwrap();
+        let share = walker.time() / period;
+        assert!(
+            share > 0.9 && share < 1.5,
+            "it has been at both ends: {share} periods, friction {friction}, spin {spin}"
+        );
+    }
 }
 
 #[test]

@@ -225,7 +225,7 @@ impl<const B: usize> Course for Gliding<'_, '_, '_, '_, B> {
         walker.time += length;
         walker.states = states;
         walker.report_slips(observers);
-        self.swings = self.walker.comes_back(self.swing.as_mut(), &states[0]);
+        self.swings = self.walker.comes_back(self.swing.as_mut());
         if !self.swings && self.walker.forget_left(&states) {
             self.note_watched();
         }

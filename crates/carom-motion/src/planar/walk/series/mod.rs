@@ -81,7 +81,7 @@ where
 
     fn passed(&mut self, (): ()) {
         let states = self.walker.states;
-        self.swings = self.walker.comes_back(self.swing.as_mut(), &states[0]);
+        self.swings = self.walker.comes_back(self.swing.as_mut());
         // What has clearly opened needs no event function of its own any more: the list is made anew without it.
         if !self.swings && self.walker.forget_left(&states) {
             self.walker.note_watched_with(&mut self.list, &mut Forces::default());
