@@ -6,6 +6,8 @@ use crate::planar::geometry::{Behind, Feature, Obstacle, State};
 use crate::tolerance::THIN_TOUCHES;
 use carom_num::Vec2;
 
+/// How far beside a cut it is looked at on which side a rod is, as a share of the rod.
+const BESIDE_CUT: f64 = 1e-3;
 /// Rods whose ends are this many times as far from a line as counts as touching are in line with it.
 const IN_LINE: f64 = 4.0;
 
@@ -66,8 +68,9 @@ impl Obstacle {
 }
 
 impl World {
-    /// How far a rod without thickness reaches through an obstacle without thickness, on whose left side it lies or else on its right one [m]; 0 where it
-    /// does not go through it, and for all that is thick: [`World::overlap`] tells of that.
+    /// How far a rod without thickness is on the other side of an obstacle without thickness, a thousandth of its length beside where it goes through it [m]:
+    /// it lies on the left side of the obstacle, or else on its right one. 0 where it does not go through it, and for all that is thick: [`World::overlap`]
+    /// tells of that.
     ///
     /// # Example
     /// A rod of 1 m lies on a slope, its lower half beyond the kink from which the plate rises again.
@@ -79,7 +82,7 @@ impl World {
     /// let (ball, _) = examples::falling_ball();
     /// let world = World { bodies: vec![examples::rod(1.0, 1.0, 1.0)], obstacles: vec![plate], ..ball };
     /// let lies = |x| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, ..State::default() };
-    /// assert!((world.reach_across(0, &lies(0.0), 0, true) - 0.3).abs() < 1e-15);
+    /// assert!((world.reach_across(0, &lies(0.0), 0, true) - 0.6e-3).abs() < 1e-15);
     /// assert_eq!(world.reach_across(0, &lies(-1.0), 0, true), 0.0);
     /// ```
     pub fn reach_across(&self, body: usize, state: &State, obstacle: usize, left: bool) -> f64 {
@@ -87,15 +90,22 @@ impl World {
         if !(rod.is_thin_rod() && o.is_thin()) {
             return 0.0;
         }
-        let turn = Turn::of(state);
+        let (turn, shape, size) = (Turn::of(state), o.shape(), rod.size());
         let [from, to] = [0, 1].map(|v| state.pose.centre + turn.apply(rod.vertices()[v]));
-        let on_it =
-            |share: f64| o.shape().depth_of(from + (to - from) * share).abs() <= THIN_TOUCHES * rod.size();
-        if !o.shape().cuts(from, to).into_iter().any(on_it) {
-            return 0.0;
-        }
-        let beyond = |end: Vec2| if left { -o.off_to_left(end) } else { o.off_to_left(end) };
-        beyond(from).max(beyond(to)).max(0.0)
+        let at = |share: f64| from + (to - from) * share;
+        // Only what an outline goes on from on both sides is gone through: its ends are touched.
+        let ends = [0, shape.faces() / 2].map(|end| shape.vertices()[end]);
+        let goes_through = |share: &f64| {
+            let on_it = shape.depth_of(at(*share)).abs() <= THIN_TOUCHES * size;
+            on_it && ends.iter().all(|end| (at(*share) - *end).norm() > THIN_TOUCHES * size)
+        };
+        let beyond = |share: f64| {
+            let off = o.off_to_left(at(share.clamp(0.0, 1.0)));
+            if left { -off } else { off }
+        };
+        // Near the cut the nearest stretch is one that is cut.
+        let cuts = shape.cuts(from, to).into_iter().filter(goes_through);
+        cuts.flat_map(|share| [share - BESIDE_CUT, share + BESIDE_CUT]).map(beyond).fold(0.0, f64::max)
     }
 
     /// The side of an obstacle on which a body is known to be, by a list of all sides: left of its direction or not.
