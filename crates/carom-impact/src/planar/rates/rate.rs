@@ -4,7 +4,7 @@
 //! `w = drive + W (q, r)`. Signorini: `0 ≤ xᵢ ⊥ wₙᵢ ≥ 0`. Coulomb: `qᵢ = −μᵢ sᵢ rᵢ` while it slips with sign sᵢ; at zero slip either it
 //! sticks (`wₜᵢ = 0`, `|qᵢ| ≤ μᵢ rᵢ`) or it starts to slip with sign s where `s wₜᵢ ≥ 0`.
 //!
-//! Every hypothesis is tried, those of one [standstill](super::standstill) by one of them; each consistent one is a solution, each other one
+//! Every hypothesis is tried, those that leave no response by one of them; each consistent one is a solution, each other one
 //! names the inequality that rejects it. Hypotheses whose
 //! motions `w` agree are one solution. Where a hypothesis leaves the forces indeterminate (a box held by two sticking contacts), the
 //! member of the family whose smallest slack is largest stands for it.

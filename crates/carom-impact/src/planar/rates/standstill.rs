@@ -16,8 +16,8 @@ use super::rate::Options;
 use crate::planar::contacts::names::Slip;
 use crate::tolerance::{CLEARLY, INDEPENDENT, MADE_BY_OTHERS, NO_RESPONSE};
 
-/// Hypotheses from which on it is worth knowing.
-const WORTH_KNOWING: usize = 30;
+/// Hypotheses from which on it is worth knowing: more than two contacts have.
+const WORTH_KNOWING: usize = 40;
 
 /// Friction up to which slacks are known to far less than what is clear.
 const STEEPEST_CONE: f64 = 100.0;
