@@ -113,17 +113,17 @@ fn campaign(kind: &Kind, seed: u64, (first, cases): (u64, u64)) -> (Tally, f64) 
     let started = Instant::now();
     let mut tally = Tally::default();
     for part in 0..PARTS {
-        let (from, to) = (cases * part / PARTS, cases * (part + 1) / PARTS);
+        let [from, to] = [part, part + 1].map(|part| first + cases * part / PARTS);
         let chunks = (to - from).div_ceil(CHUNK);
         let own = (0..chunks).into_par_iter().map(|chunk| {
             let mut own = Tally::default();
             for number in from + chunk * CHUNK..(from + (chunk + 1) * CHUNK).min(to) {
-                own.guarded(first + number, |tally| (kind.case)(seed, first + number, tally));
+                own.guarded(number, |tally| (kind.case)(seed, number, tally));
             }
             own
         });
         tally.take(own.reduce(Tally::default, Tally::merged));
-        eprint!("\r{}: {to} of {cases}, {:.0} s", kind.title, started.elapsed().as_secs_f64());
+        eprint!("\r{}: {} of {cases}, {:.0} s", kind.title, to - first, started.elapsed().as_secs_f64());
     }
     eprintln!();
     (tally, started.elapsed().as_secs_f64())

@@ -7,23 +7,10 @@ use carom_impact::planar::{end_states, staged};
 use carom_impact::{Law, Phase};
 use carom_theory::rocking::{Cylinder, Prism, SupportedRod};
 use rocking_bodies::{Rocking, number_of, ordered};
-use tables::{Row, rows};
+use tables::{IMPULSES, MOTION, Row, cylinder, rows};
 
 /// Half of the last digit printed.
 const PRINTED: f64 = 5e-7;
-
-const MOTION: [&str; 3] = ["vx", "vy", "w"];
-const IMPULSES: [&str; 4] = ["SNA", "STA", "SNK", "STK"];
-
-fn cylinder(row: &Row) -> Cylinder {
-    Cylinder {
-        mass: 1.0,
-        radius: 1.0,
-        inertia_ratio: row.number("b"),
-        friction: row.number("f"),
-        half_angle: row.number("gamma_deg").to_radians(),
-    }
-}
 
 /// Rounding of motions of order one, from impulses that the chord between the contacts makes large.
 const ROUNDING: f64 = 1e-11;

@@ -81,7 +81,13 @@ impl<const M: usize> Solutions<M> {
     }
 }
 
-fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
+/// The scalar product.
+///
+/// # Example
+/// ```
+/// assert_eq!(carom_num::solve::dot(&[1.0, 2.0], &[3.0, 4.0]), 11.0);
+/// ```
+pub fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 

@@ -7,20 +7,7 @@ use carom_theory::rocking::{
     housner_sliding_friction, housner_sticking_friction, rimless_wheel_ratio,
     rimless_wheel_sticking_friction, solid_polygon_inertia_ratio, thin_walled_polygon_inertia_ratio,
 };
-use tables::{Row, rows};
-
-const MOTION: [&str; 3] = ["vx", "vy", "w"];
-const IMPULSES: [&str; 4] = ["SNA", "STA", "SNK", "STK"];
-
-fn cylinder(row: &Row) -> Cylinder {
-    Cylinder {
-        mass: 1.0,
-        radius: 1.0,
-        inertia_ratio: row.number("b"),
-        friction: row.number("f"),
-        half_angle: row.number("gamma_deg").to_radians(),
-    }
-}
+use tables::{IMPULSES, MOTION, Row, cylinder, rows};
 
 fn motion(strike: &Strike) -> [f64; 3] {
     [strike.velocity[0], strike.velocity[1], strike.roll_rate]

@@ -3,6 +3,9 @@
 //! the first line; SNA, STA: impulses at A; vnA, vtA: velocities there; R: restitution.
 #![allow(dead_code, reason = "each test file uses its own part")]
 #![allow(unreachable_pub, reason = "a module shared by test files")]
+
+use carom_theory::rocking::Cylinder;
+
 pub const CYLINDER_BOUNDARIES: &str = include_str!("cylinder_boundaries.csv");
 pub const CYLINDER_PLASTIC: &str = include_str!("cylinder_plastic.csv");
 pub const CYLINDER_ELASTIC: &str = include_str!("cylinder_elastic.csv");
@@ -13,6 +16,21 @@ pub const PRISM_REGULAR: &str = include_str!("prism_regular.csv");
 pub const PRISM_IRREGULAR: &str = include_str!("prism_irregular.csv");
 pub const ROD: &str = include_str!("rod.csv");
 pub const HOUSNER: &str = include_str!("housner.csv");
+
+/// Columns of velocities and of impulses after a strike.
+pub const MOTION: [&str; 3] = ["vx", "vy", "w"];
+pub const IMPULSES: [&str; 4] = ["SNA", "STA", "SNK", "STK"];
+
+/// The cylinder of a line.
+pub fn cylinder(row: &Row) -> Cylinder {
+    Cylinder {
+        mass: 1.0,
+        radius: 1.0,
+        inertia_ratio: row.number("b"),
+        friction: row.number("f"),
+        half_angle: row.number("gamma_deg").to_radians(),
+    }
+}
 
 /// One line of a table.
 #[derive(Debug)]

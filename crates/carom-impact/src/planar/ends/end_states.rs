@@ -96,11 +96,7 @@ impl<const N: usize> EndStates<N> {
 /// assert_eq!(ends.found[0].velocity[0], [0.0, 1.0]);
 /// ```
 pub fn enumerate<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> EndStates<N> {
-    match set.count {
-        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law, explained)),
-        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law, explained)),
-        _ => of_any_size(set, law, explained),
-    }
+    in_least_room(set, law, true)
 }
 
 /// The end states alone, without what rejects the others: most hypotheses of several contacts leave no velocity at all, and are one question then.
@@ -121,35 +117,34 @@ pub fn enumerate<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: La
 /// # Ok::<(), carom_impact::ImpactError>(())
 /// ```
 pub fn found<const N: usize, const M: usize>(set: &ContactSet<N, M>, law: Law) -> Vec<EndState<N>> {
-    let ends = match set.count {
-        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law, alone)),
-        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law, alone)),
-        _ => of_any_size(set, law, alone),
-    };
-    ends.found
+    in_least_room(set, law, false).found
 }
 
-/// The solutions of a phase, and what rejects the others.
-fn explained<const N: usize, const M: usize>(
+/// The end states, and what rejects the others where that is asked, from arrays that are no longer than they must be.
+fn in_least_room<const N: usize, const M: usize>(
+    set: &ContactSet<N, M>,
+    law: Law,
+    explain: bool,
+) -> EndStates<N> {
+    match set.count {
+        0..=2 if N > 2 => widened(&of_any_size(&set.resized::<2, 4>(), law, explain)),
+        3..=4 if N > 4 => widened(&of_any_size(&set.resized::<4, 8>(), law, explain)),
+        _ => of_any_size(set, law, explain),
+    }
+}
+
+/// The solutions of a phase; with `explain` what rejects the others is kept.
+fn solved<const N: usize, const M: usize>(
     problem: &RateProblem<'_, N, M>,
     phase: Phase,
-    rejected: &mut Vec<Rejected<N>>,
+    explain: bool,
+    ends: &mut EndStates<N>,
 ) -> Answer<N> {
-    problem.solve_observed(&mut |guess, broken| rejected.push(Rejected { phase, guess: *guess, broken }))
+    if !explain {
+        return problem.solve();
+    }
+    problem.solve_observed(&mut |guess, broken| ends.rejected.push(Rejected { phase, guess: *guess, broken }))
 }
-
-/// The solutions of a phase.
-fn alone<const N: usize, const M: usize>(
-    problem: &RateProblem<'_, N, M>,
-    _: Phase,
-    _: &mut Vec<Rejected<N>>,
-) -> Answer<N> {
-    problem.solve()
-}
-
-/// What solves the rate problem of a phase, and may tell why it rejects a hypothesis.
-type Solver<const N: usize, const M: usize> =
-    fn(&RateProblem<'_, N, M>, Phase, &mut Vec<Rejected<N>>) -> Answer<N>;
 
 /// The same end states with room for N contacts.
 fn widened<const A: usize, const N: usize>(ends: &EndStates<A>) -> EndStates<N> {
@@ -171,15 +166,15 @@ fn widened<const A: usize, const N: usize>(ends: &EndStates<A>) -> EndStates<N> 
 fn of_any_size<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
     law: Law,
-    solve: Solver<N, M>,
+    explain: bool,
 ) -> EndStates<N> {
     let mut ends = EndStates { found: vec![], rejected: vec![] };
     let approaching = (0..set.count).any(|i| set.normal[i] < 0.0);
     let bounces = (0..set.count).any(|i| set.restitution[i] > 0.0);
     if law == Law::Newton || !bounces || !approaching {
-        one_step(set, solve, &mut ends);
+        one_step(set, explain, &mut ends);
     } else {
-        two_phases(set, solve, &mut ends);
+        two_phases(set, explain, &mut ends);
     }
     ends
 }
@@ -204,15 +199,11 @@ fn touching<const N: usize>(count: usize, base: impl Fn(usize) -> f64) -> [Load;
     std::array::from_fn(|i| if i < count { Load::Touching(base(i)) } else { Load::Absent })
 }
 
-fn one_step<const N: usize, const M: usize>(
-    set: &ContactSet<N, M>,
-    solve: Solver<N, M>,
-    ends: &mut EndStates<N>,
-) {
+fn one_step<const N: usize, const M: usize>(set: &ContactSet<N, M>, explain: bool, ends: &mut EndStates<N>) {
     let bounce: [f64; N] = std::array::from_fn(|i| set.restitution[i] * set.normal[i].min(0.0));
     let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i] + bounce[i]]);
     let problem = problem(set, drive, touching(set.count, |_| 0.0));
-    let answer = solve(&problem, Phase::Compression, &mut ends.rejected);
+    let answer = solved(&problem, Phase::Compression, explain, ends);
     for solution in answer.iter() {
         let velocity =
             std::array::from_fn(|i| [solution.response[i][0], solution.response[i][1] - bounce[i]]);
@@ -222,16 +213,16 @@ fn one_step<const N: usize, const M: usize>(
 
 fn two_phases<const N: usize, const M: usize>(
     set: &ContactSet<N, M>,
-    solve: Solver<N, M>,
+    explain: bool,
     ends: &mut EndStates<N>,
 ) {
     let drive = std::array::from_fn(|i| [set.slip[i], set.normal[i]]);
     let compressed = problem(set, drive, touching(set.count, |_| 0.0));
-    let compression = solve(&compressed, Phase::Compression, &mut ends.rejected);
+    let compression = solved(&compressed, Phase::Compression, explain, ends);
     for first in compression.iter() {
         let drive: [[f64; 2]; N] = std::array::from_fn(|i| snapped(first, i));
         let load = touching(set.count, |i| set.restitution[i] * first.rates[i][1]);
-        let restitution = solve(&problem(set, drive, load), Phase::Restitution, &mut ends.rejected);
+        let restitution = solved(&problem(set, drive, load), Phase::Restitution, explain, ends);
         for second in restitution.iter() {
             let impulse = std::array::from_fn(|i| {
                 [first.rates[i][0] + second.rates[i][0], first.rates[i][1] + second.rates[i][1]]

@@ -33,7 +33,9 @@ enum Found<const N: usize, const M: usize> {
 /// Rates of a hypothesis whose forces have the most slack.
 pub(super) struct Middle<const N: usize> {
     pub(super) rates: PerContact<N>,
-    /// That slack, in ample rates, where other rates satisfy the equations too.
+    /// Other rates satisfy the equations too.
+    pub(super) indeterminate: bool,
+    /// That slack, in ample rates, where they do and it is known.
     pub(super) slack: Option<f64>,
 }
 
@@ -106,14 +108,14 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         }
     }
 
-    /// The rates of a hypothesis in the middle of what its forces allow, where they are known to be there.
-    pub(super) fn found_most(&self, guess: &[Guess; N]) -> Option<Middle<N>> {
+    /// The rates of a hypothesis, in the middle of what its forces allow; `contradiction` as in [`RateProblem::rates_of`].
+    pub(super) fn middle_of(&self, guess: &[Guess; N], contradiction: f64) -> Option<Middle<N>> {
         let unknowns = self.unknowns(guess);
-        Some(match self.found(guess, &unknowns, RANK)? {
-            Found::One(rates) => Middle { rates, slack: None },
+        Some(match self.found(guess, &unknowns, contradiction)? {
+            Found::One(rates) => Middle { rates, indeterminate: false, slack: None },
             Found::Family(family) => {
                 let (x, slack) = self.middle_and_slack(guess, &unknowns, &family);
-                Middle { rates: self.rates(guess, &unknowns, &x), slack: Some(slack?) }
+                Middle { rates: self.rates(guess, &unknowns, &x), indeterminate: true, slack }
             }
         })
     }
@@ -124,13 +126,7 @@ impl<'p, const N: usize, const M: usize> Equations<'p, N, M> {
         guess: &[Guess; N],
         contradiction: f64,
     ) -> Option<(PerContact<N>, bool)> {
-        let unknowns = self.unknowns(guess);
-        Some(match self.found(guess, &unknowns, contradiction)? {
-            Found::One(rates) => (rates, false),
-            Found::Family(family) => {
-                (self.rates(guess, &unknowns, &self.middle(guess, &unknowns, &family)), true)
-            }
-        })
+        self.middle_of(guess, contradiction).map(|middle| (middle.rates, middle.indeterminate))
     }
 
     /// What satisfies the equations of a hypothesis; `None` where they contradict each other by more than this fraction of the largest.

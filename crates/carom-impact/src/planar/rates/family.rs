@@ -6,7 +6,7 @@ use crate::planar::contacts::names::Slip;
 use crate::tolerance::{NO_BOUND, RANK, SAME_RATE, SLACK_TOLERANCE};
 use carom_num::lemke::lemke;
 use carom_num::slack::Slacks;
-use carom_num::solve::{Solutions, solve_regular};
+use carom_num::solve::{Solutions, dot, solve_regular};
 
 impl<const N: usize, const M: usize> Equations<'_, N, M> {
     /// The two members of a hypothesis' family that give contact i the least and the largest normal rate; `None` where that rate is the
@@ -80,14 +80,16 @@ impl<const N: usize, const M: usize> Equations<'_, N, M> {
         unknowns: &Unknowns<N, M>,
         family: &Solutions<M>,
     ) -> Option<[f64; M]> {
-        let least = least_member(family, unknowns.count);
+        let least = least_member(family);
         let mut slacks = vec![];
         self.each_force_slack(guess, unknowns, |slack| slacks.push(slack));
         let at_least: Vec<f64> = slacks.iter().map(|slack| slack.at(&least)).collect();
         if at_least.iter().all(|s| *s >= 0.0) {
             return Some(least);
         }
-        let basis = orthonormal(family, unknowns.count);
+        let mut short = *family;
+        short.shorten();
+        let basis = &short.free[..family.freedom];
         let slopes: Vec<Vec<f64>> =
             slacks.iter().map(|slack| basis.iter().map(|d| slack.along(d)).collect()).collect();
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -99,7 +101,7 @@ impl<const N: usize, const M: usize> Equations<'_, N, M> {
         let pressure = lemke(&matrix, &q)?;
         let along = |d: usize| unit * slopes.iter().zip(&pressure).map(|(g, p)| g[d] * p).sum::<f64>();
         let way: Vec<f64> = (0..basis.len()).map(along).collect();
-        Some(moved(&least, &way, &basis))
+        Some(moved(&least, &way, basis))
     }
 
     /// A rate that is ample for every contact: ten times the largest that one contact alone would need to cancel its drive, or that a base
@@ -163,32 +165,13 @@ fn moved<const M: usize>(from: &[f64; M], by: &[f64], directions: &[[f64; M]]) -
     x
 }
 
-/// The free directions of a family, made orthonormal (Gram and Schmidt, twice).
-fn orthonormal<const M: usize>(family: &Solutions<M>, unknowns: usize) -> Vec<[f64; M]> {
-    let product = |a: &[f64; M], b: &[f64; M]| (0..unknowns).map(|k| a[k] * b[k]).sum::<f64>();
-    let mut basis: Vec<[f64; M]> = vec![];
-    for direction in &family.free[..family.freedom] {
-        let mut d = *direction;
-        for _ in 0..2 {
-            for b in &basis {
-                let part = product(&d, b);
-                d.iter_mut().zip(b).for_each(|(d, b)| *d -= part * b);
-            }
-        }
-        let length = product(&d, &d).sqrt();
-        basis.push(d.map(|v| v / length));
-    }
-    basis
-}
-
 /// The member of a family whose sum of squares is least.
-fn least_member<const M: usize>(family: &Solutions<M>, unknowns: usize) -> [f64; M] {
-    let product = |a: &[f64; M], b: &[f64; M]| (0..unknowns).map(|k| a[k] * b[k]).sum::<f64>();
+fn least_member<const M: usize>(family: &Solutions<M>) -> [f64; M] {
     let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
     for i in 0..family.freedom {
-        right[i] = -product(&family.free[i], &family.point);
+        right[i] = -dot(&family.free[i], &family.point);
         for j in 0..family.freedom {
-            matrix[i][j] = product(&family.free[i], &family.free[j]);
+            matrix[i][j] = dot(&family.free[i], &family.free[j]);
         }
     }
     match solve_regular(matrix, right, family.freedom, RANK) {

@@ -14,7 +14,8 @@ use super::answer::{Guess, Solution};
 use super::equations::Equations;
 use super::rate::Options;
 use crate::planar::contacts::names::Slip;
-use crate::tolerance::{CLEARLY, INDEPENDENT, MADE_BY_OTHERS, NO_RESPONSE};
+use crate::tolerance::{CLEARLY, INDEPENDENT, MADE_BY_OTHERS, NO_RESPONSE, RANK};
+use carom_num::solve::dot;
 
 /// Hypotheses from which on it is worth knowing: more than two contacts have.
 const WORTH_KNOWING: usize = 40;
@@ -51,13 +52,13 @@ impl<const N: usize, const M: usize> Standstill<N, M> {
         if problem.friction[..problem.count].iter().any(steep) {
             return None;
         }
-        let found = equations.found_most(&guess)?;
+        let found = equations.middle_of(&guess, RANK).filter(|m| !m.indeterminate || m.slack.is_some())?;
         let (response, terms) = problem.response(&found.rates);
         let moves = |i: usize| (0..2).any(|axis| response[i][axis].abs() > NO_RESPONSE * terms[i][axis]);
         if (0..problem.count).any(moves) {
             return None;
         }
-        let solution = match problem.verify(&guess, found.rates, found.slack.is_some()) {
+        let solution = match problem.verify(&guess, found.rates, found.indeterminate) {
             Ok(solution) if solution.margin > CLEARLY => Some(solution),
             Err(broken) if found.slack.map_or(broken.share > CLEARLY, |slack| slack < -CLEARLY) => None,
             _ => return None,
@@ -147,10 +148,6 @@ fn rest<const M: usize>(vector: &[f64; M], directions: &[[f64; M]]) -> [f64; M] 
         rest.iter_mut().zip(direction).for_each(|(v, d)| *v -= along * d);
     }
     rest
-}
-
-fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn norm<const M: usize>(v: &[f64; M]) -> f64 {

@@ -79,7 +79,7 @@ impl<const B: usize> Walker<'_, B> {
         let slip_stops = matches!(event, Event::Watched(watched) if matches!(watched.what, Watch::Slip(_)));
         let Twist { velocity, spin } = self.states[0].twist;
         let stops = self.is_still(velocity.norm());
-        self.turning_points = match self.swing().filter(|_| slip_stops) {
+        self.turning_points = match slip_stops.then(|| self.swing()).flatten() {
             Some(Swing::SpinsOn(_)) => self.turning_points + u32::from(stops),
             Some(Swing::Slides) if stops && self.is_still(spin * self.scales.length) => {
                 self.turning_points + 1
