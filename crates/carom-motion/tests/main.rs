@@ -7,6 +7,7 @@ mod bodies;
 mod chains;
 mod chains_curved;
 mod chains_random;
+mod clattering;
 mod crowd;
 mod double_events;
 mod flat_landings;

@@ -82,6 +82,8 @@ struct Probe<'a> {
     leniency: &'a Leniency,
     /// Both are hulls: what their hulls do, they do.
     hulls: bool,
+    /// The side of a segment on which a rod in line with it is, as a normal of the segment. The rod may have sunk a hair: the other side does not part them.
+    side: Option<Vec2>,
 }
 
 /// True where one look shows that `gap + rate τ − bend τ² / 2` has no root up to `time`. A function that does not bend downwards is taken as
@@ -152,9 +154,11 @@ impl World {
         let turn = Turn::of(state);
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
         let (o, hulls) = (&self.obstacles[obstacle], self.are_hulls((body, obstacle)));
-        let probe = Probe { state, turn, body, obstacle, bounds, leniency, hulls };
+        let side = bounds.left.and_then(|left| self.side_in_line((state, turn), (body, obstacle), left));
+        let probe = Probe { state, turn, body, obstacle, bounds, leniency, hulls, side };
         let (shape, met) = (self.bodies[body].shape.hull(), o.shape().hull());
-        for normal in o.normals(state.pose.centre) {
+        for normal in o.normals(state.pose.centre).filter(|normal| side.is_none_or(|s| s.dot(*normal) > 0.0))
+        {
             self.try_world_axis(&probe, normal, &mut best);
             // What lies on one side of an obstacle is not on the other.
             if best.distance > leniency.allowance {
@@ -185,6 +189,24 @@ impl World {
         best.safe = best.safe.min(bounds.horizon);
         best.distance = evaluated(Quantity::Distance, best.distance);
         best
+    }
+
+    /// The normal of a segment on the side on which a rod in line with it is known to be; `None` where the rod has left the line, or there is no such pair.
+    fn side_in_line(
+        &self,
+        (state, turn): (&State, Turn),
+        (body, obstacle): (usize, usize),
+        left: bool,
+    ) -> Option<Vec2> {
+        let (o, rod) = (&self.obstacles[obstacle], &self.bodies[body].shape);
+        if !(o.is_segment() && rod.is_thin_rod()) {
+            return None;
+        }
+        let normal = o.direction().turned_left();
+        let (height, seen) = (normal.dot(state.pose.centre - o.from()), turn.undo(normal));
+        let off = |vertex: &Vec2| (height + seen.dot(*vertex)).abs();
+        let in_line = rod.vertices().iter().all(|vertex| off(vertex) <= CLEAR_GAP * rod.size());
+        in_line.then_some(if left { normal } else { -normal })
     }
 
     /// By the features themselves, one pair after the other.
@@ -281,8 +303,12 @@ impl World {
         // While something separates them already, an axis counts only if it does so for longer.
         let longer =
             best.distance > CLEAR_GAP * shape.size() && best.safe > 0.0 && probe.leniency.open.is_empty();
+        let side = probe.side.map(|side| probe.turn.undo(side));
         'faces: for face in 0..shape.faces() {
             let axis = shape.face_normal(face);
+            if side.is_some_and(|side| side.dot(axis) > 0.0) {
+                continue;
+            }
             let support = axis.dot(shape.vertices()[face]) + shape.radius() + radius;
             let allowed = |gap: f64| gap + probe.leniency.allowance;
             let (mut distance, mut safe) = (f64::INFINITY, probe.bounds.horizon);
