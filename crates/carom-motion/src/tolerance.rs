@@ -12,12 +12,16 @@ pub(crate) const COINCIDENT_VERTICES: f64 = 1e-12;
 pub(crate) const STRAIGHT_CORNER_SINE: f64 = 1e-12;
 /// Edges of a chain that meet at less than this angle \[rad\] go on smoothly: drawings give both by rounded numbers.
 pub(crate) const SMOOTH_JOINT: f64 = 1e-9;
+/// Two segments of an outline that meet at a smaller angle \[rad\] are one: what the contacts of a face may be off its direction must not take one for the other.
+pub(crate) const STRAIGHT_JOINT: f64 = 1e-8;
 /// A segment of a chain that meets an arc at less than this angle \[rad\] touches it: drawings round points to some digits, and a segment can give way.
 pub(crate) const TANGENT_JOINT: f64 = 1e-5;
 /// Points nearer than this part of a shape's size are one where it is asked what it can lie on: no side is so short.
 pub(crate) const SHORTEST_SIDE: f64 = 1e-6;
 /// Two sides of a shape that are equally far from a point but for this part of its size are the two sides of a sheet without thickness.
 pub(crate) const THINNEST: f64 = 1e-12;
+/// A straight side looks in a direction where the angle between its normal and that has a sine below this.
+pub(crate) const SAME_SIDE_SINE: f64 = 1e-4;
 /// Half the thickness that rods without any have against each other, so that the end of one can push the end of another.
 pub(crate) const ROD_SKIN: f64 = 1e-6;
 /// An end of an obstacle nearer to another obstacle than this lies on it: drawings give both by rounded numbers.
@@ -49,6 +53,9 @@ pub(crate) const TOUCHING_GAP: f64 = 1e-11;
 pub(crate) const MET_GAP: f64 = 1e-12;
 /// Farther apart than this nothing is met, whatever rounding does.
 pub(crate) const CLEAR_GAP: f64 = 1e-9;
+/// At the limit of a series of impacts what is about to be met is searched farther than rounding reaches, but not so far behind: a body may start overlapping by
+/// [`CLEAR_GAP`], and its levers make more of it.
+pub(crate) const DEEPEST_TOUCH: f64 = 1e-8;
 /// A pair that has opened by this much has clearly opened, and is no longer watched on its own.
 pub(crate) const CLEARLY_OPEN: f64 = 1e-5;
 /// Segments without thickness that are apart by less than this along every normal may still be apart along their line.

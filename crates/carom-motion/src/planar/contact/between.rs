@@ -126,6 +126,13 @@ fn from_the_other_side(k: Kinematics) -> Kinematics {
 /// Rooms beyond which a pair of features is none, with their rates [m, m/s].
 pub(super) type Rooms = [Option<(f64, f64)>; 2];
 
+/// Everything that a pair needs to touch besides its gap: room on the face, and in the directions of the two vertices that take part [m, m/s].
+pub(super) struct AllRooms {
+    pub(super) face: Rooms,
+    pub(super) own: [Option<(f64, f64)>; 3],
+    pub(super) met: [Option<(f64, f64)>; 3],
+}
+
 /// Room of a vertex of `a` between the ends of a face of `b`.
 fn room_on_face(a: &Side<'_>, vertex: usize, b: &Side<'_>, face: usize) -> Rooms {
     let direction = b.outward(face).turned_left();
@@ -148,6 +155,17 @@ fn room_at_vertex(side: &Side<'_>, vertex: usize, (out, rate): (Vec2, Vec2)) -> 
         let turning = side.spin() * direction.turned_left().dot(out);
         Some((sign * direction.dot(out), sign * (direction.dot(rate) + turning)))
     })
+}
+
+/// Room of `out` on the side to which a vertex looks whose two faces are almost in line: the way back from such a vertex is almost before its faces too.
+fn room_ahead(side: &Side<'_>, vertex: usize, (out, rate): (Vec2, Vec2)) -> Rooms {
+    if side.shape.faces() == 0 {
+        return [None, None];
+    }
+    let [before, after] = [side.shape.face_before(vertex), vertex].map(|face| side.outward(face));
+    let ahead = before + after;
+    let turning = side.spin() * ahead.turned_left().dot(out);
+    [(before.dot(after) > 0.0).then(|| (ahead.dot(out), ahead.dot(rate) + turning)), None]
 }
 
 /// Those rooms of a vertex that end where one arc goes on in another: what a contact on a face runs off there, it does not lie down on.
@@ -265,9 +283,11 @@ impl World {
     }
 
     /// Everything that a pair of features needs to touch besides its gap, as rooms and their rates [m, m/s].
-    pub(super) fn rooms(&self, states: &[State], turns: &[Turn], pair: Pairing) -> [Rooms; 3] {
+    pub(super) fn rooms(&self, states: &[State], turns: &[Turn], pair: Pairing) -> AllRooms {
         let of = self.sides(states, turns, pair);
         let [own, met] = of.cones(pair.feature, room_at_vertex);
-        [of.on_face(pair.feature), own, met]
+        let [own_ahead, met_ahead] = of.cones(pair.feature, room_ahead);
+        let with = |[a, b]: Rooms, [ahead, _]: Rooms| [a, b, ahead];
+        AllRooms { face: of.on_face(pair.feature), own: with(own, own_ahead), met: with(met, met_ahead) }
     }
 }

@@ -76,8 +76,8 @@ impl World {
         } else {
             out.fails(-gap, -k.approach, bends.closing);
         }
-        let [face, own, met] = self.rooms(states, turns, pair);
-        let rooms = face.iter().chain(&own).chain(&met).flatten();
+        let of = self.rooms(states, turns, pair);
+        let rooms = of.face.iter().chain(&of.own).chain(&of.met).flatten();
         rooms.for_each(|(room, rate)| out.fails(-room - exact, -rate, (bends.rooms, moves.horizon)));
         out.safe = out.safe.min(moves.horizon);
         out

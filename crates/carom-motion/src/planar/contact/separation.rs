@@ -191,24 +191,6 @@ impl World {
         best
     }
 
-    /// The normal of a segment on the side on which a rod in line with it is known to be; `None` where the rod has left the line, or there is no such pair.
-    fn side_in_line(
-        &self,
-        (state, turn): (&State, Turn),
-        (body, obstacle): (usize, usize),
-        left: bool,
-    ) -> Option<Vec2> {
-        let (o, rod) = (&self.obstacles[obstacle], &self.bodies[body].shape);
-        if !(o.is_segment() && rod.is_thin_rod()) {
-            return None;
-        }
-        let normal = o.direction().turned_left();
-        let (height, seen) = (normal.dot(state.pose.centre - o.from()), turn.undo(normal));
-        let off = |vertex: &Vec2| (height + seen.dot(*vertex)).abs();
-        let in_line = rod.vertices().iter().all(|vertex| off(vertex) <= CLEAR_GAP * rod.size());
-        in_line.then_some(if left { normal } else { -normal })
-    }
-
     /// By the features themselves, one pair after the other.
     fn try_features(&self, probe: &Probe<'_>, best: &mut Apart) {
         let (bounds, body) = (probe.bounds, probe.body);

@@ -94,6 +94,8 @@ impl<T: Copy> Few<T> {
 pub(in crate::planar) struct Search<'a> {
     /// Gaps up to this count [m].
     pub(in crate::planar) reach: f64,
+    /// So deep behind a pair may lie [m]: what lies deeper touches from its other side, if it is thin.
+    pub(in crate::planar) deepest: f64,
     /// Side of each obstacle each body is on (true: left of its direction), for a rod in line with it; by [`World::place`].
     pub(in crate::planar) sides: &'a [bool],
     /// Speeds up to this are rounding [m/s].
@@ -173,7 +175,7 @@ impl World {
         self.bodies[body].shape.is_hull() && self.shape_of(obstacle).is_hull()
     }
 
-    /// Of the pairs of [`World::each_pair`] those whose gap is at most `search.reach` either way, and whose normal may point to where the body is.
+    /// Of the pairs of [`World::each_pair`] those whose gap is within what is searched, and whose normal may point to where the body is.
     fn each_near(
         &self,
         states: &[State],
@@ -183,11 +185,12 @@ impl World {
         mut offer: impl FnMut(Pairing),
     ) {
         let ((body, obstacle), reach) = (meeting, search.reach);
+        let is_near = |gap: f64| gap <= reach && gap >= -search.deepest;
         let segment = self.obstacles.get(obstacle).filter(|o| o.is_segment());
         let Some(met) = segment.filter(|_| self.bodies[body].shape.is_hull()) else {
             let left = self.side(search.sides, meeting);
             return self.each_pair(meeting, |pair| {
-                if self.gap(states, turns, pair).abs() <= reach
+                if is_near(self.gap(states, turns, pair))
                     && !self.is_across((states, turns), pair, left, reach)
                 {
                     offer(pair);
@@ -199,7 +202,7 @@ impl World {
         let (left, radius) = (met.direction().turned_left(), shape.radius());
         let (offset, left) = (left.dot(centre - met.from()), turn.undo(left));
         let mut near = |gap: f64, feature: Feature| {
-            if gap.abs() <= reach {
+            if is_near(gap) {
                 offer(Pairing { body, obstacle, feature });
             }
         };
@@ -290,8 +293,8 @@ impl World {
     ) -> [f64; 2] {
         if !self.are_hulls(pair.meeting()) {
             // What is not convex lies beyond the tangent near the contact at most: its directions there say by how much.
-            let [_, own, met] = self.rooms(states, turns, pair);
-            return [own, met]
+            let of = self.rooms(states, turns, pair);
+            return [of.own, of.met]
                 .map(|rooms| rooms.iter().flatten().map(|room| -room.0).fold(f64::NEG_INFINITY, f64::max));
         }
         let shape = &self.body_of(pair).shape;

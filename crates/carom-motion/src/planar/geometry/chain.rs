@@ -2,7 +2,7 @@
 
 use super::shape::{Parts, Shape};
 use super::shape_problem::ShapeProblem;
-use crate::tolerance::{COINCIDENT_VERTICES, SMOOTH_JOINT, TANGENT_JOINT};
+use crate::tolerance::{COINCIDENT_VERTICES, SMOOTH_JOINT, STRAIGHT_JOINT, TANGENT_JOINT};
 use carom_num::Vec2;
 use carom_num::elementary::{atan2, sin, sin_cos};
 use std::f64::consts::PI;
@@ -115,7 +115,8 @@ impl Shape {
     /// A shape whose outline is a closed chain of arcs and segments about the mass centre [m], counter-clockwise.
     ///
     /// Where two edges meet at an angle there is a corner: an arc of radius 0. Where they meet smoothly there is none, and a contact passes from one to
-    /// the other: two segments or two arcs up to 10⁻⁹ rad, a segment and an arc up to 10⁻⁵ rad, where the segment is laid along the arc. An edge that comes back along itself has no thickness: a rod, or a plate.
+    /// the other: two arcs up to 10⁻⁹ rad; two segments up to 10⁻⁸ rad, where they are laid along one line; a segment and an arc up to 10⁻⁵ rad, where the segment is
+    /// laid along the arc. An edge that comes back along itself has no thickness: a rod, or a plate.
     ///
     /// # Errors
     /// Every [`ShapeProblem`] found.
@@ -222,8 +223,12 @@ fn corner(before: &Run, after: &Run) -> Option<f64> {
     let turn = atan2(a.cross(b), a.dot(b));
     // What comes back along itself turns about its end, to the left: a rod has an end there and no hollow.
     let turn = if turn.abs() > PI - SMOOTH_JOINT { PI } else { turn };
-    // A segment gives way to the arc that it touches; two arcs do not give way to each other.
-    let smooth = if before.arc.is_some() == after.arc.is_some() { SMOOTH_JOINT } else { TANGENT_JOINT };
+    // A segment gives way to the arc that it touches, and two segments are laid along one line; two arcs do not give way to each other.
+    let smooth = match (before.arc, after.arc) {
+        (Some(_), Some(_)) => SMOOTH_JOINT,
+        (None, None) => STRAIGHT_JOINT,
+        _ => TANGENT_JOINT,
+    };
     (turn.abs() > smooth).then_some(turn)
 }
 

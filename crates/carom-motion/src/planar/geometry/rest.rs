@@ -2,7 +2,7 @@
 
 use super::Shape;
 use super::wrap::{Support, turn};
-use crate::tolerance::{COINCIDENT_VERTICES, SHORTEST_SIDE, THINNEST};
+use crate::tolerance::{COINCIDENT_VERTICES, SAME_SIDE_SINE, SHORTEST_SIDE, THINNEST};
 use carom_num::Vec2;
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
@@ -224,10 +224,12 @@ impl Shape {
 
     /// How deep a point lies behind every side and arc that it is square to, and behind every corner, with the way to it [m].
     pub(in crate::planar) fn each_depth(&self, point: Vec2, mut take: impl FnMut(Behind, f64, Vec2)) {
-        for face in 0..self.faces() {
+        // Rounding leaves no seam between a side and an arc: what is square to neither would be told of by something far away.
+        let seam = THINNEST * self.size();
+        for face in (0..self.faces()).filter(|face| self.face_length(*face) > 0.0) {
             let (normal, from) = (self.face_normal(face), point - self.vertices()[face]);
             let along = normal.turned_left().dot(from);
-            if along >= 0.0 && along <= self.face_length(face) && self.face_length(face) > 0.0 {
+            if along >= -seam && along <= self.face_length(face) + seam {
                 let depth = self.radius_of(face) - normal.dot(from);
                 take(Behind::Face(face), depth, normal * depth);
             }
@@ -245,6 +247,37 @@ impl Shape {
                 take(Behind::Vertex(vertex), depth, out * (radius.abs() - distance));
             }
         }
+    }
+
+    /// The straight side that runs by a point and looks in the direction `out`: how far the point lies behind it [m], and its outward normal. Sides
+    /// count that look so to 1e-4 rad; `None` where there is none. Beyond its ends a side goes on.
+    ///
+    /// # Example
+    /// A point above a square, and the side that looks up; no side looks up askew.
+    /// ```
+    /// use carom_motion::planar::Shape;
+    /// use carom_num::Vec2;
+    /// let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec2::new(x, y));
+    /// let square = Shape::new(square.to_vec(), 0.0).unwrap();
+    /// let up = Vec2::new(0.0, 1.0);
+    /// assert_eq!(square.side_by(Vec2::new(0.5, 1.25), up), Some((-0.25, up)));
+    /// assert_eq!(square.side_by(Vec2::new(0.5, 1.25), Vec2::new(0.6, 0.8)), None);
+    /// ```
+    pub fn side_by(&self, point: Vec2, out: Vec2) -> Option<(f64, Vec2)> {
+        let looks_out = |face: &usize| {
+            let normal = self.face_normal(*face);
+            self.face_length(*face) > 0.0
+                && normal.dot(out) > 0.0
+                && normal.cross(out).abs() <= SAME_SIDE_SINE
+        };
+        let by = |face: usize| {
+            let (normal, from) = (self.face_normal(face), point - self.vertices()[face]);
+            let (along, depth) = (normal.turned_left().dot(from), self.radius_of(face) - normal.dot(from));
+            let beyond = (-along).max(along - self.face_length(face)).max(0.0);
+            (depth.abs() + beyond, depth, normal)
+        };
+        let nearest = (0..self.faces()).filter(looks_out).map(by).min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.map(|(_, depth, normal)| (depth, normal))
     }
 
     /// Where the segment between two points meets the outline's lines and circles, as shares of it; arcs count all round.

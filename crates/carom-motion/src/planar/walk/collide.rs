@@ -15,7 +15,7 @@ use crate::planar::modes::{
     strike::{Strike, Struck, Witness},
 };
 use crate::planar::record::observer::{ImpactFacts, Observers, is_dense};
-use crate::tolerance::{SAME_POINT, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP};
+use crate::tolerance::{DEEPEST_TOUCH, SAME_POINT, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP};
 use carom_impact::ImpactError;
 use carom_impact::planar::Slip;
 use carom_impact::planar::rate::MOST_EXAMINED;
@@ -329,10 +329,10 @@ impl<const B: usize> Walker<'_, B> {
         let way = |s: &State| s.twist.velocity.norm() + s.twist.spin.abs() * self.scales.length;
         let way = series.left * self.states.iter().map(way).fold(0.0, f64::max);
         let reach = (10.0 * TOUCHING_GAP * self.scales.length).max(4.0 * way);
-        let still = STILL_SPEED * self.scales.speed;
+        let (deepest, still) = (DEEPEST_TOUCH * self.scales.length, STILL_SPEED * self.scales.speed);
         let near = self.world.touching(
             (&self.states, &self.turns()),
-            &Search { reach, sides: &self.sides, still, except: None },
+            &Search { reach, deepest, sides: &self.sides, still, except: None },
         );
         let turns = self.turns();
         let mut held: Few<Held> = Few::default();

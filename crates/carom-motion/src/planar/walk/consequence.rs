@@ -127,6 +127,7 @@ impl<const B: usize> Walker<'_, B> {
         let reach = TOUCHING_GAP * self.scales.length;
         let search = Search {
             reach,
+            deepest: reach,
             sides: &self.sides,
             still: STILL_SPEED * self.scales.speed,
             except: Some(ran_off),

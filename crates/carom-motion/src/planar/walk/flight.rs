@@ -291,7 +291,7 @@ impl World {
         known: &Known<'_>,
     ) -> Few<Pairing> {
         let (reach, still) = (TOUCHING_GAP * known.scales.length, STILL_SPEED * known.scales.speed);
-        let search = Search { reach, sides: known.sides, still, except: None };
+        let search = Search { reach, deepest: reach, sides: known.sides, still, except: None };
         let mut pairs = Few::default();
         self.touching_one(states, &turns(states), meeting, &search, &mut pairs);
         if pairs.is_empty()

@@ -164,7 +164,13 @@ impl<const B: usize> Walker<'_, B> {
         let reach = TOUCHING_GAP.max(4.0 * sine) * self.scales.length;
         self.world.touching(
             (&self.states, &self.turns()),
-            &Search { reach, sides: &self.sides, still: STILL_SPEED * self.scales.speed, except: None },
+            &Search {
+                reach,
+                deepest: reach,
+                sides: &self.sides,
+                still: STILL_SPEED * self.scales.speed,
+                except: None,
+            },
         )
     }
 }
