@@ -45,12 +45,13 @@ impl Feeder {
     pub fn prepare(&self, options: Options) -> Result<Prepared<'_>, RunError> {
         check(self).map_err(RunError::Problems)?;
         let world = self.world().map_err(RunError::Problems)?;
-        let start = self.start_state();
+        let place = self.start_place().map(|place| self.on_outline(place, &world.obstacles[0]));
+        let start = self.state_at(place);
         // A rod without thickness lies on what it starts on: a little above it is its side.
-        let normal = self.start_place().map_or(Vec2::ZERO, |(_, downhill)| upward(downhill));
+        let normal = place.map_or(Vec2::ZERO, |(_, downhill)| upward(downhill));
         let above = start.pose.centre + normal * (ABOVE * self.part.body.shape.size());
         let sides: Vec<bool> = world.obstacles.iter().map(|o| o.is_left_of(above)).collect();
-        let crossing = self.crossings(&world, &start, &sides);
+        let crossing = self.crossings(&world, &start);
         if !crossing.is_empty() {
             return Err(RunError::Problems(crossing));
         }
@@ -95,7 +96,7 @@ impl Feeder {
     pub fn obstacle(&self, obstacle: usize) -> Result<Option<Obstacle>, FeederProblem> {
         let walls = obstacle.checked_sub(self.plates.len());
         let plate = self.plates.get(obstacle).map(|p| self.plate(p));
-        let found = plate.or_else(|| walls.and_then(|i| self.walls.get(i)).map(wall));
+        let found = plate.or_else(|| walls.and_then(|i| self.walls.get(i)).map(|w| self.wall(w)));
         found.transpose().map_err(|why| FeederProblem::Form { path: self.obstacle_path(obstacle), why })
     }
 
@@ -117,7 +118,26 @@ impl Feeder {
             course[last].at = self.joined(course[last].at, course[last - 1].at, form.edge_radius);
         }
         let form = Form { course, ..*form };
-        Ok(Obstacle::of_shape(form.shape(uphill, edge, plate.below())?, friction, restitution))
+        // Of what is thin the side is exact that the part leaves at the free edge.
+        let thin = if plate.arrives().x < 0.0 { Thick::Left } else { Thick::Right };
+        let below = if form.edge_radius == 0.0 { thin } else { plate.below() };
+        let shape = form.shape(uphill, edge, below, self.skin())?;
+        Ok(Obstacle::of_shape(shape, friction, restitution))
+    }
+
+    /// The skin of a part without thickness [m]; 0 of all others.
+    fn skin(&self) -> f64 {
+        let shape = &self.part.body.shape;
+        shape.skin(0) - shape.radius_of(0)
+    }
+
+    fn wall(&self, wall: &Wall) -> Result<Obstacle, FormProblem> {
+        let Wall { from, to, friction, restitution, .. } = *wall;
+        if wall.form.is_plain() {
+            return Ok(Obstacle::new(from, to, friction, restitution));
+        }
+        let shape = wall.form.shape(from, to, Thick::Both, self.skin())?;
+        Ok(Obstacle::of_shape(shape, friction, restitution))
     }
 
     /// The end of a plate that comes from `from`, moved a little behind the wall where it lies on one, and by `more` [m]. A part without thickness that
@@ -146,7 +166,12 @@ impl Feeder {
 
     /// Pose and velocity at the start: lying flat on the first plate; at the origin where there is none.
     pub fn start_state(&self) -> State {
-        let Some((foot, downhill)) = self.start_place() else { return State::default() };
+        self.state_at(self.start_place())
+    }
+
+    /// Pose and velocity where the part lies flat on a place of the first plate.
+    fn state_at(&self, place: Option<(Vec2, Vec2)>) -> State {
+        let Some((foot, downhill)) = place else { return State::default() };
         let normal = upward(downhill);
         let shape = &self.part.body.shape;
         let (height, angle) = if self.part.kind == PartKind::Disc {
@@ -165,11 +190,20 @@ impl Feeder {
         }
     }
 
-    /// Plates and walls that cross the part where it starts, on these sides of them.
-    fn crossings(&self, world: &World, start: &State, sides: &[bool]) -> Vec<FeederProblem> {
+    /// A place on the drawing of the first plate and the direction there, as the part meets them: joints that are smooth but for rounding are smooth, and a
+    /// stretch beside one runs a hair beside the drawn one. A part on the drawn one would start behind it.
+    fn on_outline(&self, (foot, downhill): (Vec2, Vec2), plate: &Obstacle) -> (Vec2, Vec2) {
+        let drawn_is_met = self.plates.first().is_none_or(|plate| plate.form.is_plain());
+        let side = plate.shape().side_by(foot, upward(downhill)).filter(|_| !drawn_is_met);
+        let Some((depth, normal)) = side else { return (foot, downhill) };
+        let along = normal.turned_left();
+        (foot + normal * depth, if along.dot(downhill) > 0.0 { along } else { -along })
+    }
+
+    /// Plates and walls that cross the part where it starts.
+    fn crossings(&self, world: &World, start: &State) -> Vec<FeederProblem> {
         let slack = CROSSES_START * self.part.body.shape.size();
-        let reach = |i: usize| world.overlap(0, start, i).max(world.reach_across(0, start, i, sides[i]));
-        let crosses = |i: &usize| world.may_touch(0, start, *i) && reach(*i) > slack;
+        let crosses = |i: &usize| world.may_touch(0, start, *i) && world.overlap(0, start, *i) > slack;
         (0..world.obstacles.len())
             .filter(crosses)
             .map(|i| FeederProblem::CrossesStart { path: self.obstacle_path(i) })
@@ -194,14 +228,6 @@ impl Feeder {
 fn upward(direction: Vec2) -> Vec2 {
     let left = direction.turned_left();
     if left.y >= 0.0 { left } else { -left }
-}
-
-fn wall(wall: &Wall) -> Result<Obstacle, FormProblem> {
-    let Wall { from, to, friction, restitution, .. } = *wall;
-    if wall.form.is_plain() {
-        return Ok(Obstacle::new(from, to, friction, restitution));
-    }
-    Ok(Obstacle::of_shape(wall.form.shape(from, to, Thick::Both)?, friction, restitution))
 }
 
 impl<'f> Prepared<'f> {

@@ -20,7 +20,8 @@ pub struct Form {
     /// Its course from one end to the other [m, world frame], the ends included: segments and arcs. Empty where it is straight.
     pub course: Vec<ChainPoint>,
     /// Radius of its edges [m]; 0 where it is thin and its edges are sharp. A plate with a radius is a sheet twice as thick below its drawn upper
-    /// side, and each of its ends is half a circle that reaches as far as drawn. Of a wall the drawn line is the middle of the sheet.
+    /// side, and each of its ends is half a circle that reaches as far as drawn. Of a wall the drawn line is the middle of the sheet. A rod without thickness
+    /// meets a bent plate or wall without one as if this were a millionth of the rod's size.
     pub edge_radius: f64,
 }
 
@@ -79,23 +80,22 @@ impl Form {
         }
     }
 
-    /// The shape of what runs between two ends.
-    pub(crate) fn shape(&self, from: Vec2, to: Vec2, thick: Thick) -> Result<Shape, FormProblem> {
+    /// The shape of what runs between two ends, as a part with this skin [m] meets it. Of two that have no thickness at all nothing would tell on which side
+    /// of the other each is, but where both are straight: what is thin then has this thickness below what is drawn, and sharp ends.
+    pub(crate) fn shape(&self, from: Vec2, to: Vec2, thick: Thick, skin: f64) -> Result<Shape, FormProblem> {
         let course = self.between(from, to);
-        if self.edge_radius == 0.0 {
+        if self.edge_radius == 0.0 && (skin == 0.0 || self.is_plain()) {
             return Shape::of_open_chain(&course).map_err(|_| NO_CHAIN);
         }
-        let radius = self.edge_radius;
-        let course = shortened(&course, radius).ok_or(TOO_ROUND)?;
-        let middle = thick.middle(radius);
-        let (right, left) = (beside(&course, middle + radius)?, beside(&course, middle - radius)?);
-        // Round the first end, along the right side, round the other end, and back along the left side.
-        let Some((end, before)) = right.split_last() else { return Err(NO_CHAIN) };
-        let mut chain = vec![ChainPoint { at: left[0].at, sweep: PI }];
-        chain.extend(before);
-        chain.push(ChainPoint { at: end.at, sweep: PI });
-        chain.extend((1..left.len()).rev().map(|i| ChainPoint { at: left[i].at, sweep: -left[i - 1].sweep }));
-        Shape::of_chain(&chain).map_err(|_| NO_CHAIN)
+        let radius = if self.edge_radius == 0.0 { skin } else { self.edge_radius };
+        let sheet = match self.edge_radius {
+            0.0 => Sheet { course, sides: thick.below(radius), end: 0.0, kinks: true },
+            _ => {
+                let (course, middle) = (shortened(&course, radius).ok_or(TOO_ROUND)?, thick.middle(radius));
+                Sheet { course, sides: [middle + radius, middle - radius], end: PI, kinks: false }
+            }
+        };
+        sheet.shape()
     }
 
     /// The arcs of what runs between two ends: its bends, then its edges where they are round, the last one first.
@@ -107,7 +107,7 @@ impl Form {
         };
         let bends = course.windows(2).filter_map(bend);
         let radius = self.edge_radius;
-        let middle = shortened(&course, radius).and_then(|c| beside(&c, thick.middle(radius)).ok());
+        let middle = shortened(&course, radius).and_then(|c| beside(&c, thick.middle(radius), false).ok());
         let edges = middle.filter(|_| radius > 0.0).map(|middle| {
             let last = middle.len() - 1;
             let [begins, _] = directions(&middle[0], middle[1].at);
@@ -120,7 +120,40 @@ impl Form {
     }
 }
 
+/// What has a course and two sides.
+struct Sheet {
+    course: Vec<ChainPoint>,
+    /// How far its right and its left side lie to the right of the course [m].
+    sides: [f64; 2],
+    /// By how much its outline turns round each end on an arc [rad]: 0 where a straight edge closes it.
+    end: f64,
+    /// An arc may meet other stretches at an angle: the side that is not the course itself then lies a hair beside where it would be.
+    kinks: bool,
+}
+
+impl Sheet {
+    fn shape(&self) -> Result<Shape, FormProblem> {
+        let [right, left] = self.sides.map(|distance| beside(&self.course, distance, self.kinks));
+        let (right, left) = (right?, left?);
+        // Round the first end, along the right side, round the other end, and back along the left side.
+        let Some((end, before)) = right.split_last() else { return Err(NO_CHAIN) };
+        let mut chain = vec![ChainPoint { at: left[0].at, sweep: self.end }];
+        chain.extend(before);
+        chain.push(ChainPoint { at: end.at, sweep: self.end });
+        chain.extend((1..left.len()).rev().map(|i| ChainPoint { at: left[i].at, sweep: -left[i - 1].sweep }));
+        Shape::of_chain(&chain).map_err(|_| NO_CHAIN)
+    }
+}
+
 impl Thick {
+    /// The right and the left side of a sheet of twice this radius, one of which is the drawn line.
+    fn below(self, radius: f64) -> [f64; 2] {
+        match self {
+            Self::Left => [0.0, -2.0 * radius],
+            Self::Right | Self::Both => [2.0 * radius, 0.0],
+        }
+    }
+
     /// How far the middle of a sheet with edges of this radius lies to the right of its drawn line [m].
     fn middle(self, radius: f64) -> f64 {
         match self {
@@ -162,8 +195,8 @@ fn shortened(course: &[ChainPoint], by: f64) -> Option<Vec<ChainPoint>> {
     Some(out)
 }
 
-/// The line at this distance to the right of a course.
-fn beside(course: &[ChainPoint], distance: f64) -> Result<Vec<ChainPoint>, FormProblem> {
+/// The line at this distance to the right of a course. Arcs meet other stretches smoothly, unless they may meet them in `kinks`.
+fn beside(course: &[ChainPoint], distance: f64, kinks: bool) -> Result<Vec<ChainPoint>, FormProblem> {
     let ends = |i: usize| directions(&course[i], course[i + 1].at);
     let stretches = course.len() - 1;
     let mut out = course.to_vec();
@@ -172,7 +205,7 @@ fn beside(course: &[ChainPoint], distance: f64) -> Result<Vec<ChainPoint>, FormP
         let leaves = if i == stretches { ends(i - 1)[1] } else { ends(i)[0] };
         let is_bent = |i: usize| course.get(i).is_some_and(|p| p.sweep != 0.0);
         let kink = arrives.cross(leaves).abs() > SMOOTH_BEND || arrives.dot(leaves) < 0.0;
-        if kink && (is_bent(i) || i > 0 && is_bent(i - 1)) {
+        if !kinks && kink && (is_bent(i) || i > 0 && is_bent(i - 1)) {
             return Err(KINKED);
         }
         let (a, b) = (arrives.turned_right(), leaves.turned_right());
@@ -310,14 +343,17 @@ mod tests {
     #[test]
     fn a_straight_sheet_is_a_capsule_that_ends_where_it_is_drawn() {
         let form = Form { edge_radius: 0.01, ..Form::default() };
-        let shape = form.shape(Vec2::ZERO, Vec2::new(1.0, 0.0), Thick::Right).unwrap();
+        let shape = form.shape(Vec2::ZERO, Vec2::new(1.0, 0.0), Thick::Right, 0.0).unwrap();
         assert!(shape.is_hull(), "numbered as a segment is: from, to");
         let expected = [Vec2::new(0.01, -0.01), Vec2::new(0.99, -0.01)];
         for (vertex, expected) in shape.vertices().iter().zip(expected) {
             assert!((*vertex - expected).norm() < SAME_LENGTH, "{vertex:?}");
         }
         assert!((shape.radius() - 0.01).abs() < SAME_LENGTH && shape.face_normal(1).y > 0.0);
-        assert!(form.shape(Vec2::ZERO, Vec2::new(0.015, 0.0), Thick::Right).is_err(), "shorter than thick");
+        assert!(
+            form.shape(Vec2::ZERO, Vec2::new(0.015, 0.0), Thick::Right, 0.0).is_err(),
+            "shorter than thick"
+        );
     }
 
     #[test]
@@ -326,14 +362,14 @@ mod tests {
         let course =
             vec![at(0.0, 1.0), ChainPoint { sweep: FRAC_PI_2, ..at(0.0, 0.5) }, at(0.5, 0.0), at(1.0, 0.0)];
         let form = Form { course, edge_radius: 0.01 };
-        let shape = form.shape(Vec2::ZERO, Vec2::ZERO, Thick::Right).unwrap();
+        let shape = form.shape(Vec2::ZERO, Vec2::ZERO, Thick::Right, 0.0).unwrap();
         let mut radii: Vec<f64> = (0..shape.vertices().len()).map(|v| shape.radius_of(v)).collect();
         radii.sort_by(f64::total_cmp);
         for (radius, expected) in radii.iter().zip([-0.5, 0.01, 0.01, 0.52]) {
             assert!((radius - expected).abs() < SAME_LENGTH, "{radii:?}");
         }
-        assert_eq!(form.shape(Vec2::ZERO, Vec2::ZERO, Thick::Both).map(|s| s.vertices().len()), Ok(4));
-        assert!(Form { edge_radius: 0.3, ..form }.shape(Vec2::ZERO, Vec2::ZERO, Thick::Left).is_err());
+        assert_eq!(form.shape(Vec2::ZERO, Vec2::ZERO, Thick::Both, 0.0).map(|s| s.vertices().len()), Ok(4));
+        assert!(Form { edge_radius: 0.3, ..form }.shape(Vec2::ZERO, Vec2::ZERO, Thick::Left, 0.0).is_err());
     }
 
     #[test]

@@ -3,11 +3,9 @@
 use super::World;
 use super::kinematics::{Pairing, Turn};
 use crate::planar::geometry::{Behind, Feature, Obstacle, State};
-use crate::tolerance::THIN_TOUCHES;
+use crate::tolerance::CLEAR_GAP;
 use carom_num::Vec2;
 
-/// How far beside a cut it is looked at on which side a rod is, as a share of the rod.
-const BESIDE_CUT: f64 = 1e-3;
 /// Rods whose ends are this many times as far from a line as counts as touching are in line with it.
 const IN_LINE: f64 = 4.0;
 
@@ -68,49 +66,27 @@ impl Obstacle {
 }
 
 impl World {
-    /// How far a rod without thickness is on the other side of an obstacle without thickness, a thousandth of its length beside where it goes through it [m]:
-    /// it lies on the left side of the obstacle, or else on its right one. 0 where it does not go through it, and for all that is thick: [`World::overlap`]
-    /// tells of that.
-    ///
-    /// # Example
-    /// A rod of 1 m lies on a slope, its lower half beyond the kink from which the plate rises again.
-    /// ```
-    /// use carom_motion::planar::{ChainPoint, Obstacle, Pose, Shape, State, World, examples};
-    /// use carom_num::Vec2;
-    /// let plate = [(-3.0, 0.0), (0.0, 0.0), (4.0, 3.0)].map(|(x, y)| ChainPoint::straight(Vec2::new(x, y)));
-    /// let plate = Obstacle::of_shape(Shape::of_open_chain(&plate).unwrap(), 0.3, 0.0);
-    /// let (ball, _) = examples::falling_ball();
-    /// let world = World { bodies: vec![examples::rod(1.0, 1.0, 1.0)], obstacles: vec![plate], ..ball };
-    /// let lies = |x| State { pose: Pose { centre: Vec2::new(x, 0.0), angle: 0.0 }, ..State::default() };
-    /// assert!((world.reach_across(0, &lies(0.0), 0, true) - 0.6e-3).abs() < 1e-15);
-    /// assert_eq!(world.reach_across(0, &lies(-1.0), 0, true), 0.0);
-    /// ```
-    pub fn reach_across(&self, body: usize, state: &State, obstacle: usize, left: bool) -> f64 {
-        let (rod, o) = (&self.bodies[body].shape, &self.obstacles[obstacle]);
-        if !(rod.is_thin_rod() && o.is_thin()) {
-            return 0.0;
-        }
-        let (turn, shape, size) = (Turn::of(state), o.shape(), rod.size());
-        let [from, to] = [0, 1].map(|v| state.pose.centre + turn.apply(rod.vertices()[v]));
-        let at = |share: f64| from + (to - from) * share;
-        // Only what an outline goes on from on both sides is gone through: its ends are touched.
-        let ends = [0, shape.faces() / 2].map(|end| shape.vertices()[end]);
-        let goes_through = |share: &f64| {
-            let on_it = shape.depth_of(at(*share)).abs() <= THIN_TOUCHES * size;
-            on_it && ends.iter().all(|end| (at(*share) - *end).norm() > THIN_TOUCHES * size)
-        };
-        let beyond = |share: f64| {
-            let off = o.off_to_left(at(share.clamp(0.0, 1.0)));
-            if left { -off } else { off }
-        };
-        // Near the cut the nearest stretch is one that is cut.
-        let cuts = shape.cuts(from, to).into_iter().filter(goes_through);
-        cuts.flat_map(|share| [share - BESIDE_CUT, share + BESIDE_CUT]).map(beyond).fold(0.0, f64::max)
-    }
-
     /// The side of an obstacle on which a body is known to be, by a list of all sides: left of its direction or not.
     pub(in crate::planar) fn side(&self, sides: &[bool], (body, obstacle): (usize, usize)) -> Option<bool> {
         sides.get(self.place(body, obstacle)).copied()
+    }
+
+    /// The normal of a segment on the side on which a rod in line with it is known to be; `None` where the rod has left the line, or there is no such pair.
+    pub(super) fn side_in_line(
+        &self,
+        (state, turn): (&State, Turn),
+        (body, obstacle): (usize, usize),
+        left: bool,
+    ) -> Option<Vec2> {
+        let (o, rod) = (&self.obstacles[obstacle], &self.bodies[body].shape);
+        if !(o.is_segment() && rod.is_thin_rod()) {
+            return None;
+        }
+        let normal = o.direction().turned_left();
+        let (height, seen) = (normal.dot(state.pose.centre - o.from()), turn.undo(normal));
+        let off = |vertex: &Vec2| (height + seen.dot(*vertex)).abs();
+        let in_line = rod.vertices().iter().all(|vertex| off(vertex) <= CLEAR_GAP * rod.size());
+        in_line.then_some(if left { normal } else { -normal })
     }
 
     /// The side of a pair's obstacle that the pair touches it from, left or not; `None` where it has a thickness, or the pair does not tell.
