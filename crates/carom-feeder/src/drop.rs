@@ -118,10 +118,7 @@ impl Feeder {
             course[last].at = self.joined(course[last].at, course[last - 1].at, form.edge_radius);
         }
         let form = Form { course, ..*form };
-        // Of what is thin the side is exact that the part leaves at the free edge.
-        let thin = if plate.arrives().x < 0.0 { Thick::Left } else { Thick::Right };
-        let below = if form.edge_radius == 0.0 { thin } else { plate.below() };
-        let shape = form.shape(uphill, edge, below, self.skin())?;
+        let shape = form.shape(uphill, edge, plate.below(), self.skin())?;
         Ok(Obstacle::of_shape(shape, friction, restitution))
     }
 
@@ -193,8 +190,8 @@ impl Feeder {
     /// A place on the drawing of the first plate and the direction there, as the part meets them: joints that are smooth but for rounding are smooth, and a
     /// stretch beside one runs a hair beside the drawn one. A part on the drawn one would start behind it.
     fn on_outline(&self, (foot, downhill): (Vec2, Vec2), plate: &Obstacle) -> (Vec2, Vec2) {
-        let drawn_is_met = self.plates.first().is_none_or(|plate| plate.form.is_plain());
-        let side = plate.shape().side_by(foot, upward(downhill)).filter(|_| !drawn_is_met);
+        let bent = self.plates.first().is_some_and(|plate| !plate.form.is_plain());
+        let side = bent.then(|| plate.shape().side_by(foot, upward(downhill))).flatten();
         let Some((depth, normal)) = side else { return (foot, downhill) };
         let along = normal.turned_left();
         (foot + normal * depth, if along.dot(downhill) > 0.0 { along } else { -along })

@@ -81,21 +81,25 @@ impl Form {
     }
 
     /// The shape of what runs between two ends, as a part with this skin [m] meets it. Of two that have no thickness at all nothing would tell on which side
-    /// of the other each is, but where both are straight: what is thin then has this thickness below what is drawn, and sharp ends.
+    /// of the other each is, but where both are straight: what is thin then has twice this thickness below what is drawn, and sharp ends.
     pub(crate) fn shape(&self, from: Vec2, to: Vec2, thick: Thick, skin: f64) -> Result<Shape, FormProblem> {
-        let course = self.between(from, to);
-        if self.edge_radius == 0.0 && (skin == 0.0 || self.is_plain()) {
+        let (course, thin) = (self.between(from, to), self.edge_radius == 0.0);
+        if thin && skin == 0.0 {
             return Shape::of_open_chain(&course).map_err(|_| NO_CHAIN);
         }
-        let radius = if self.edge_radius == 0.0 { skin } else { self.edge_radius };
-        let sheet = match self.edge_radius {
-            0.0 => Sheet { course, sides: thick.below(radius), end: 0.0, kinks: true },
-            _ => {
-                let (course, middle) = (shortened(&course, radius).ok_or(TOO_ROUND)?, thick.middle(radius));
-                Sheet { course, sides: [middle + radius, middle - radius], end: PI, kinks: false }
-            }
-        };
-        sheet.shape()
+        let (radius, end) = if thin { (skin, 0.0) } else { (self.edge_radius, PI) };
+        let course = if thin { course } else { shortened(&course, radius).ok_or(TOO_ROUND)? };
+        // Of a skin one side is what is drawn, that of a wall too; where an arc meets it at an angle the other lies a hair beside where it would be.
+        let middle = if thin && thick == Thick::Both { Thick::Right } else { thick }.middle(radius);
+        let side = |distance: f64| beside(&course, distance, thin);
+        let (right, left) = (side(middle + radius)?, side(middle - radius)?);
+        // Round the first end, along the right side, round the other end, and back along the left side.
+        let Some((last, before)) = right.split_last() else { return Err(NO_CHAIN) };
+        let mut chain = vec![ChainPoint { at: left[0].at, sweep: end }];
+        chain.extend(before);
+        chain.push(ChainPoint { at: last.at, sweep: end });
+        chain.extend((1..left.len()).rev().map(|i| ChainPoint { at: left[i].at, sweep: -left[i - 1].sweep }));
+        Shape::of_chain(&chain).map_err(|_| NO_CHAIN)
     }
 
     /// The arcs of what runs between two ends: its bends, then its edges where they are round, the last one first.
@@ -120,40 +124,7 @@ impl Form {
     }
 }
 
-/// What has a course and two sides.
-struct Sheet {
-    course: Vec<ChainPoint>,
-    /// How far its right and its left side lie to the right of the course [m].
-    sides: [f64; 2],
-    /// By how much its outline turns round each end on an arc [rad]: 0 where a straight edge closes it.
-    end: f64,
-    /// An arc may meet other stretches at an angle: the side that is not the course itself then lies a hair beside where it would be.
-    kinks: bool,
-}
-
-impl Sheet {
-    fn shape(&self) -> Result<Shape, FormProblem> {
-        let [right, left] = self.sides.map(|distance| beside(&self.course, distance, self.kinks));
-        let (right, left) = (right?, left?);
-        // Round the first end, along the right side, round the other end, and back along the left side.
-        let Some((end, before)) = right.split_last() else { return Err(NO_CHAIN) };
-        let mut chain = vec![ChainPoint { at: left[0].at, sweep: self.end }];
-        chain.extend(before);
-        chain.push(ChainPoint { at: end.at, sweep: self.end });
-        chain.extend((1..left.len()).rev().map(|i| ChainPoint { at: left[i].at, sweep: -left[i - 1].sweep }));
-        Shape::of_chain(&chain).map_err(|_| NO_CHAIN)
-    }
-}
-
 impl Thick {
-    /// The right and the left side of a sheet of twice this radius, one of which is the drawn line.
-    fn below(self, radius: f64) -> [f64; 2] {
-        match self {
-            Self::Left => [0.0, -2.0 * radius],
-            Self::Right | Self::Both => [2.0 * radius, 0.0],
-        }
-    }
-
     /// How far the middle of a sheet with edges of this radius lies to the right of its drawn line [m].
     fn middle(self, radius: f64) -> f64 {
         match self {
@@ -258,10 +229,10 @@ impl Plate {
         before_end(&self.form.course, 0.0).map_or(Vec2::ZERO, |end| end.direction)
     }
 
-    /// The side of it that is below, seen towards the free edge.
+    /// The side of it that is below, seen towards the free edge. Of what is thin it is the one below that edge: the part leaves the other, which is exact.
     pub(crate) fn below(&self) -> Thick {
         let across = self.edge.x - self.uphill.x;
-        let across = if across == 0.0 { self.arrives().x } else { across };
+        let across = if across == 0.0 || self.form.edge_radius == 0.0 { self.arrives().x } else { across };
         if across < 0.0 { Thick::Left } else { Thick::Right }
     }
 
