@@ -90,3 +90,21 @@ fn a_rod_on_a_bent_plate_without_thickness_moves_as_on_a_thin_sheet() {
         assert!((thin.1 - sheet.1).abs() < HARDLY_LONGER, "{beside} m beside: {thin:?}, {sheet:?}");
     }
 }
+
+/// Where the front runs off over the last end, the rod lies on the end and on a joint before it, and is parted from each by hundreds of nanometres at most.
+#[test]
+fn a_rod_whose_front_runs_off_an_almost_straight_sheet_goes_on() {
+    let at = |x, y| Vec2::new(x, y);
+    let sheet = [
+        at(-0.28483180658022889, 0.094185147237996508),
+        at(-0.22002360496668552, 0.072755794232306534),
+        at(-0.059039629073508647, 0.019523328186818852),
+        at(-0.046609051899600282, 0.015411452069716882),
+        Vec2::ZERO,
+    ];
+    for half_millimetres in 320..340 {
+        let to_edge = f64::from(half_millimetres) * 5e-4;
+        let run = feeder(rod(), &sheet, 5e-7, to_edge).run_untraced().unwrap();
+        assert_eq!(run.outcome, Outcome::Landed, "from {to_edge} m");
+    }
+}

@@ -288,6 +288,7 @@ mod tests {
     use crate::elementary::sin_cos;
 
     use crate::falls::first_fall;
+    use crate::ode8::step_plain;
 
     /// An oscillator (position, velocity, time) whose events are these functions of it.
     struct Oscillator<E> {
@@ -377,6 +378,27 @@ mod tests {
         let both = Oscillator::watching(|y: &[f64; 3]| [0.9 - y[2], 0.8 - y[2]]);
         let Ok(Some(Reached { event, y, .. })) = both.follow(1.0) else { panic!("both fall") };
         assert!(event == 1 && (y[2] - 0.8).abs() < 1e-12, "{event} at {y:?}");
+    }
+
+    /// It begins at zero and hardly rises: near its fall the secants follow the last digits.
+    #[test]
+    fn an_event_near_rounding_is_not_taken_for_the_zero_where_it_began() {
+        let fall = 1e-3;
+        for noise in [1e-12, 1e-10, 1e-8] {
+            let mut rises = Oscillator::watching(|y: &[f64; 3]| {
+                [y[2] * (fall - y[2]) + noise * ((y[2] * 1e9).fract() - 0.5)]
+            });
+            let start = [0.0, 1.0, 0.0];
+            let rate = rises.rate(&start);
+            let plain = step_plain(start, rate, 1.0, |y| rises.rate(y));
+            let end_rate = rises.rate(&plain.end);
+            let step = plain.with_dense(end_rate, |y| rises.rate(y));
+            for i in 0..1000 {
+                let at = fall * (0.9 + 2e-4 * f64::from(i));
+                let found = placed(&mut rises, &step, 0, at);
+                assert!((found.at - fall).abs() < 0.1 * fall, "noise {noise}, from {at}: {}", found.at);
+            }
+        }
     }
 
     #[test]

@@ -75,12 +75,14 @@ pub fn placed<C: Course>(course: &mut C, step: &Step<C::Y>, event: C::Event, at:
     let mut other = if x > FIRST_SECANT { x - FIRST_SECANT } else { x + FIRST_SECANT };
     let mut other_value = value_on(course, step, &event, other);
     let mut slope = (other_value - value) / (other - x);
-    for _ in 0..MOST_SECANTS {
+    for secants in 0..MOST_SECANTS {
         let next = (x - value / slope).clamp(0.0, 1.0);
         if !next.is_finite() || (next - x).abs() <= SECANT_DONE {
             break;
         }
-        if (next - at).abs() > MOST_ASTRAY {
+        // What comes no nearer follows rounding, to another place where the function is as small: to the start, if it began at zero.
+        let recedes = secants > 0 && (next - x).abs() >= (x - other).abs();
+        if recedes || (next - at).abs() > MOST_ASTRAY {
             (x, slope) = bracketed(course, step, &event, at).unwrap_or((x, slope));
             break;
         }
