@@ -56,6 +56,15 @@ pub enum MotionError {
         /// How fast [m/s].
         speed: f64,
     },
+    /// A rod without thickness among bent obstacles without one: two such lines do not tell on which side of each other they are. Give one of them a
+    /// thickness, as small as it may be.
+    #[error("body {body} and the bent obstacle {obstacle} are both without thickness")]
+    BothThin {
+        /// The rod, by its number among the bodies.
+        body: usize,
+        /// What it could meet, by its number among the obstacles.
+        obstacle: usize,
+    },
     /// A number that is not finite appeared.
     #[error("the motion is not finite at t = {time} s")]
     NotFinite {

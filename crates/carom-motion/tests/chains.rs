@@ -48,10 +48,18 @@ fn world(body: Body, obstacles: Vec<Obstacle>) -> World {
     World::of_one(Vec2::new(0.0, -GRAVITY), body, obstacles, Law::Poisson)
 }
 
-/// A half circle that is open upwards, about the origin.
+/// A block with a half circle that is open upwards, about the origin.
 fn bowl(radius: f64, friction: f64) -> Obstacle {
-    let half = [bent(-radius, 0.0, PI), at(radius, 0.0)];
-    Obstacle::of_shape(Shape::of_open_chain(&half).unwrap(), friction, 0.0)
+    let far = 2.0 * radius;
+    let block = [
+        bent(radius, 0.0, -PI),
+        at(-radius, 0.0),
+        at(-far, 0.0),
+        at(-far, -far),
+        at(far, -far),
+        at(far, 0.0),
+    ];
+    Obstacle::of_shape(Shape::of_chain(&block).unwrap(), friction, 0.0)
 }
 
 /// The walk up to a time.

@@ -26,22 +26,24 @@ fn rod(half_length: f64, half_gap: f64, offset: f64) -> RodOnEdges {
     RodOnEdges { mass: MASS, half_length, half_gap, offset, gravity: GRAVITY }
 }
 
-/// Segments and chains, each obstacle by its points.
-fn obstacles(points: &[&[(f64, f64)]], friction: f64) -> Vec<Obstacle> {
-    let at = |(x, y): &(f64, f64)| ChainPoint::straight(Vec2::new(*x, *y));
-    let one = |points: &&[(f64, f64)]| {
-        let chain: Vec<_> = points.iter().map(at).collect();
-        Obstacle::of_shape(Shape::of_open_chain(&chain).unwrap(), friction, 0.0)
-    };
-    points.iter().map(one).collect()
+/// Two segments by their ends.
+fn segments(ends: [[(f64, f64); 2]; 2], friction: f64) -> Vec<Obstacle> {
+    let at = |(x, y): (f64, f64)| Vec2::new(x, y);
+    ends.map(|[from, to]| Obstacle::new(at(from), at(to), friction, 0.0)).to_vec()
 }
 
-/// Edges on which a rod lies with its side alone: two posts, and a channel that is open upwards.
+/// A solid by the corners of its outline.
+fn solid(corners: &[(f64, f64)], friction: f64) -> Vec<Obstacle> {
+    let outline: Vec<_> = corners.iter().map(|(x, y)| ChainPoint::straight(Vec2::new(*x, *y))).collect();
+    vec![Obstacle::of_shape(Shape::of_chain(&outline).unwrap(), friction, 0.0)]
+}
+
+/// Edges on which a rod lies with its side alone: two posts, and a trough whose sharp rims fall off outwards.
 fn bare_edges(d: f64, friction: f64) -> [Vec<Obstacle>; 2] {
-    let (down, deep) = (-0.5, -0.2);
+    let (down, deep, far) = (-0.5, -0.2, 2.0 * d);
     [
-        obstacles(&[&[(-d, down), (-d, 0.0)], &[(d, 0.0), (d, down)]], friction),
-        obstacles(&[&[(-d, 0.0), (-d, deep), (d, deep), (d, 0.0)]], friction),
+        segments([[(-d, down), (-d, 0.0)], [(d, 0.0), (d, down)]], friction),
+        solid(&[(-far, down), (far, down), (d, 0.0), (d, deep), (-d, deep), (-d, 0.0)], friction),
     ]
 }
 
@@ -50,11 +52,7 @@ fn edges_of_ground(d: f64, friction: f64) -> [Vec<Obstacle>; 2] {
     let (far, deep, low) = (1.0, -0.2, -0.3);
     let block =
         [(-far, low), (far, low), (far, 0.0), (d, 0.0), (d, deep), (-d, deep), (-d, 0.0), (-far, 0.0)];
-    let block = block.map(|(x, y)| ChainPoint::straight(Vec2::new(x, y)));
-    [
-        obstacles(&[&[(-far, 0.0), (-d, 0.0)], &[(d, 0.0), (far, 0.0)]], friction),
-        vec![Obstacle::of_shape(Shape::of_chain(&block).unwrap(), friction, 0.0)],
-    ]
+    [segments([[(-far, 0.0), (-d, 0.0)], [(d, 0.0), (far, 0.0)]], friction), solid(&block, friction)]
 }
 
 fn world(half_length: f64, obstacles: Vec<Obstacle>) -> World {

@@ -3,7 +3,7 @@
 use carom_impact::Law;
 use carom_motion::MotionError;
 use carom_motion::planar::{
-    Body, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
+    Body, ChainPoint, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
 };
 use carom_num::Vec2;
 
@@ -56,4 +56,18 @@ fn more_contacts_than_fit_are_an_error_from_the_start() {
     let world = world(&[(-0.07, -0.01), (0.07, -0.01), (0.07, 0.01), (-0.07, 0.01)], plates);
     let happening = begin(&world, at(0.0, 0.01, 0.0), &mut Recorder::default());
     assert!(matches!(happening, Err(MotionError::Impact { .. })), "{happening:?}");
+}
+
+#[test]
+fn a_rod_and_a_bent_obstacle_that_are_both_without_thickness_are_refused() {
+    let bent = [(-1.0, 0.5), (0.0, 0.0), (1.0, 0.5)].map(|(x, y)| ChainPoint::straight(Vec2::new(x, y)));
+    let bent = Obstacle::of_shape(Shape::of_open_chain(&bent).unwrap(), 0.3, 0.0);
+    let floor = segment((-1.0, -1.0), (1.0, -1.0), 0.3);
+    let among = |body: &[(f64, f64)]| {
+        let world = world(body, vec![floor.clone(), bent.clone()]);
+        Walker::new(&world, at(0.0, 0.9, 0.0), vec![], Options::default()).map(|_| ())
+    };
+    let refused = MotionError::BothThin { body: 0, obstacle: 1 };
+    assert_eq!(among(&[(-0.1, 0.0), (0.1, 0.0)]), Err(refused));
+    assert_eq!(among(&[(-0.1, 0.0), (0.1, 0.0), (0.0, 1e-9)]), Ok(()), "a sliver has an inside");
 }

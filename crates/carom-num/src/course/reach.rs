@@ -10,6 +10,8 @@ const MOST_STEPS: u32 = 7;
 const MOST_SECANTS: u32 = 8;
 /// A fraction of a step by which an interpolant does not mistake the place of an event.
 const MOST_ASTRAY: f64 = 0.02;
+/// A secant this many times as long as the one before follows rounding.
+const LEAP: f64 = 100.0;
 /// Halvings of the part of a step in which an event is, before a secant.
 const MOST_HALVINGS: u32 = 12;
 
@@ -80,9 +82,9 @@ pub fn placed<C: Course>(course: &mut C, step: &Step<C::Y>, event: C::Event, at:
         if !next.is_finite() || (next - x).abs() <= SECANT_DONE {
             break;
         }
-        // What comes no nearer follows rounding, to another place where the function is as small: to the start, if it began at zero.
-        let recedes = secants > 0 && (next - x).abs() >= (x - other).abs();
-        if recedes || (next - at).abs() > MOST_ASTRAY {
+        // A secant through last digits may lead anywhere, also to another place where the function is as small: to the start, if it began at zero.
+        let leaps = secants > 0 && (next - x).abs() > LEAP * (x - other).abs();
+        if leaps || (next - at).abs() > MOST_ASTRAY {
             (x, slope) = bracketed(course, step, &event, at).unwrap_or((x, slope));
             break;
         }

@@ -34,8 +34,6 @@ pub(in crate::planar) struct Exactness {
     pub(in crate::planar) allowance: f64,
     /// How well places are known [m].
     pub(in crate::planar) exact: f64,
-    /// The body is known to be behind what the pair touches from the front, whatever rounding says.
-    pub(in crate::planar) behind: bool,
 }
 
 /// How far a pair of features is from touching [m], and a time for which it certainly does not touch [s].
@@ -62,16 +60,14 @@ impl World {
         (states, turns): (&[State], &[Turn]),
         pair: Pairing,
         moves: &Moves,
-        Exactness { allowance, exact, behind }: Exactness,
+        Exactness { allowance, exact }: Exactness,
     ) -> Clearance {
         let k = self.kinematics_turned(states, turns, pair);
         let mut out = Clearance { distance: f64::NEG_INFINITY, safe: 0.0 };
         let bends = self.bends((states, turns), (pair, k.normal), moves);
         let gap = k.gap + allowance;
-        // What is hardly behind has come there by rounding: it touches, unless it is known to be there.
-        if behind {
-            out.fails(allowance - k.gap, -k.approach, bends.closing);
-        } else if gap > -CLEAR_GAP * self.body_of(pair).shape.size() {
+        // What is hardly behind has come there by rounding: it touches.
+        if gap > -CLEAR_GAP * self.body_of(pair).shape.size() {
             out.fails(gap, k.approach, bends.opening);
         } else {
             out.fails(-gap, -k.approach, bends.closing);

@@ -16,7 +16,11 @@ impl World {
     ) -> Option<Pairing> {
         let turns = turns(states);
         let slack = FEATURE_SLACK * self.bodies[meeting.0].shape.size();
-        let across = |pair| self.is_across((states, &turns), pair, left, slack);
+        // A rod in line with a segment touches it from the side on which it is known to be.
+        let posed = (&states[meeting.0], turns[meeting.0]);
+        let side = left.filter(|left| self.side_in_line(posed, meeting, *left).is_some());
+        let across =
+            |pair| side.is_some() && self.side_touched(posed.1, pair).is_some_and(|from| Some(from) != side);
         let mut best: Option<(Pairing, f64, f64)> = None;
         self.each_pair(meeting, |pair| {
             if self.extents(states, &turns, pair).iter().flatten().any(|(s, _)| *s < -slack) || across(pair) {

@@ -10,7 +10,7 @@ use super::kinematics::{Pairing, Turn};
 use super::touching::Few;
 use crate::evaluated::{Quantity, evaluated};
 use crate::planar::geometry::{Feature, Obstacle, State};
-use crate::tolerance::{CLEAR_GAP, MET_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES, TOUCHING_GAP};
+use crate::tolerance::{CLEAR_GAP, MET_GAP, ONE_DIRECTION_SINE, THIN_TOUCHES};
 use carom_num::Vec2;
 use carom_num::poly::first_root;
 
@@ -205,15 +205,13 @@ impl World {
         // Of the bodies only this one is asked about.
         let (states, turns) = (vec![*probe.state; body + 1], vec![probe.turn; body + 1]);
         let exact = MET_GAP * self.bodies[body].shape.size();
-        let in_line = TOUCHING_GAP * self.bodies[body].shape.size();
         let (mut distance, mut safe) = (f64::INFINITY, bounds.horizon);
         self.each_pair((body, probe.obstacle), |pair| {
             let known = probe.known_open(pair.feature).unwrap_or(0.0);
             if known >= bounds.horizon && bounds.horizon > 0.0 {
                 return;
             }
-            let behind = self.is_across((&states, &turns), pair, bounds.left, in_line);
-            let exactness = Exactness { allowance: probe.leniency.allowance, exact, behind };
+            let exactness = Exactness { allowance: probe.leniency.allowance, exact };
             let clear = self.clearance_of((&states, &turns), pair, &moves, exactness);
             (distance, safe) = (distance.min(clear.distance), safe.min(clear.safe.max(known)));
         });

@@ -188,11 +188,8 @@ impl World {
         let is_near = |gap: f64| gap <= reach && gap >= -search.deepest;
         let segment = self.obstacles.get(obstacle).filter(|o| o.is_segment());
         let Some(met) = segment.filter(|_| self.bodies[body].shape.is_hull()) else {
-            let left = self.side(search.sides, meeting);
             return self.each_pair(meeting, |pair| {
-                if is_near(self.gap(states, turns, pair))
-                    && !self.is_across((states, turns), pair, left, reach)
-                {
+                if is_near(self.gap(states, turns, pair)) {
                     offer(pair);
                 }
             });

@@ -85,6 +85,13 @@ impl World {
         Scales { length, speed, time: length / speed }
     }
 
+    /// A rod without thickness and a bent obstacle without one, by their numbers, if there are such.
+    pub(in crate::planar) fn both_thin(&self) -> Option<(usize, usize)> {
+        let obstacle = self.obstacles.iter().position(Obstacle::is_bent_thin)?;
+        let body = self.bodies.iter().position(|b| b.shape.is_thin_rod())?;
+        Some((body, obstacle))
+    }
+
     /// Kinetic and potential energy of the bodies in these states [J].
     ///
     /// # Example

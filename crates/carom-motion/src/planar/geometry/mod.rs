@@ -18,7 +18,6 @@ pub use chain::ChainPoint;
 pub use feature::Feature;
 pub use mass::MassProperties;
 pub use obstacle::{Obstacle, Surface};
-pub(in crate::planar) use rest::Behind;
 pub use rest::{Rest, RestKind};
 pub use shape::Shape;
 pub use shape_problem::ShapeProblem;

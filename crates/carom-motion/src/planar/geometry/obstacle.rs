@@ -31,8 +31,8 @@ pub struct Obstacle {
     middle: Vec2,
     half: f64,
     segment: bool,
-    /// Without thickness: its outline runs there and back on one line.
-    thin: bool,
+    /// Bent, and without thickness: its outline runs there and back on one line.
+    bent_thin: bool,
 }
 
 impl Obstacle {
@@ -111,8 +111,8 @@ impl Obstacle {
         let middle =
             hull.vertices().iter().fold(Vec2::ZERO, |sum, v| sum + *v) / hull.vertices().len() as f64;
         let half = hull.vertices().iter().map(|v| (*v - middle).norm()).fold(0.0, f64::max) + hull.radius();
-        let thin = shape.runs_there_and_back();
-        Self { from, to, shape, friction, restitution, length, direction, middle, half, segment, thin }
+        let bent_thin = !segment && shape.runs_there_and_back();
+        Self { from, to, shape, friction, restitution, length, direction, middle, half, segment, bent_thin }
     }
 
     /// What it looks like, in the world's frame.
@@ -146,10 +146,9 @@ impl Obstacle {
         self.segment
     }
 
-    /// True for what has no thickness, straight or bent.
-    #[inline]
-    pub(in crate::planar) fn is_thin(&self) -> bool {
-        self.thin
+    /// True for what is bent and has no thickness.
+    pub(in crate::planar) fn is_bent_thin(&self) -> bool {
+        self.bent_thin
     }
 
     /// One end [m].

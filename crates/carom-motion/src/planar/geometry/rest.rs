@@ -95,15 +95,6 @@ impl Rest {
     }
 }
 
-/// A piece of an outline that a point lies behind, by its number.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::planar) enum Behind {
-    /// A straight side.
-    Face(usize),
-    /// A corner, or an arc about a vertex.
-    Vertex(usize),
-}
-
 impl Shape {
     /// The sides on which it can lie, counter-clockwise: of an evenly rounded hull its faces, by their numbers. Of any other shape they are
     /// numbered from that which starts at the lowest vertex; a line across a hollow is one of them, a face in a hollow is none. The lowest points of
@@ -211,19 +202,19 @@ impl Shape {
         let mut nearest = f64::NEG_INFINITY;
         // Where both sides of a sheet are equally near it has no thickness, and the point is in front of one of them.
         let thin = THINNEST * self.size();
-        let mut take = |depth: f64, way: Vec2| {
+        let take = |depth: f64, way: Vec2| {
             let farther = depth.abs() - nearest.abs();
             let nearer = farther < -thin || farther <= thin && depth < nearest;
             if nearer && wanted(depth, way) {
                 nearest = depth;
             }
         };
-        self.each_depth(point, |_, depth, way| take(depth, way));
+        self.each_depth(point, take);
         nearest
     }
 
     /// How deep a point lies behind every side and arc that it is square to, and behind every corner, with the way to it [m].
-    pub(in crate::planar) fn each_depth(&self, point: Vec2, mut take: impl FnMut(Behind, f64, Vec2)) {
+    fn each_depth(&self, point: Vec2, mut take: impl FnMut(f64, Vec2)) {
         // Rounding leaves no seam between a side and an arc: what is square to neither would be told of by something far away.
         let seam = THINNEST * self.size();
         for face in (0..self.faces()).filter(|face| self.face_length(*face) > 0.0) {
@@ -231,7 +222,7 @@ impl Shape {
             let along = normal.turned_left().dot(from);
             if along >= -seam && along <= self.face_length(face) + seam {
                 let depth = self.radius_of(face) - normal.dot(from);
-                take(Behind::Face(face), depth, normal * depth);
+                take(depth, normal * depth);
             }
         }
         for vertex in 0..self.vertices().len() {
@@ -240,11 +231,11 @@ impl Shape {
             if radius == 0.0 {
                 // What is nearest to a corner lies outside it, but in a hollow.
                 let depth = if self.is_hollow(vertex) { distance } else { -distance };
-                take(Behind::Vertex(vertex), depth, -from);
+                take(depth, -from);
             } else if self.normals_hold(vertex, from * radius.signum()) {
                 let out = from.unit().unwrap_or_default();
                 let depth = radius - radius.signum() * distance;
-                take(Behind::Vertex(vertex), depth, out * (radius.abs() - distance));
+                take(depth, out * (radius.abs() - distance));
             }
         }
     }

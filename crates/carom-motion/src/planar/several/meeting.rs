@@ -94,8 +94,7 @@ impl Two<'_> {
         let mut out = Apart { distance: f64::INFINITY, safe: bounds.horizon };
         self.world.each_pair(meeting, |pair| {
             let posed = (&self.states[..], &self.turns[..]);
-            let clear =
-                self.world.clearance_of(posed, pair, bounds, Exactness { allowance, exact, behind: false });
+            let clear = self.world.clearance_of(posed, pair, bounds, Exactness { allowance, exact });
             (out.distance, out.safe) = (out.distance.min(clear.distance), out.safe.min(clear.safe));
         });
         Apart { distance: out.distance - allowance, ..out }

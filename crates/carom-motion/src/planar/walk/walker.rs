@@ -79,7 +79,7 @@ impl<'w> Walker<'w> {
     /// lies that is in line with it: true for the left side of the obstacle's direction.
     ///
     /// # Errors
-    /// [`MotionError::NotFinite`] where the state is not finite.
+    /// [`MotionError::NotFinite`] where the state is not finite, [`MotionError::BothThin`] where a rod without thickness could meet a bent obstacle without one.
     pub fn new(
         world: &'w World,
         state: State,
@@ -196,6 +196,9 @@ impl<'w, const B: usize> Walker<'w, B> {
         walker.sides.resize(pairs, true);
         if !states.iter().all(State::is_finite) {
             return Err(MotionError::NotFinite { time: 0.0 });
+        }
+        if let Some((body, obstacle)) = walker.world.both_thin() {
+            return Err(MotionError::BothThin { body: names[body], obstacle });
         }
         // Finite places may still be so far off that a distance between them is not finite.
         let ((), lost) = watched(|| walker.note_sides());
