@@ -3,7 +3,6 @@
 use super::World;
 use super::kinematics::{Pairing, Turn};
 use crate::planar::geometry::{Feature, Obstacle, State};
-use crate::tolerance::CLEAR_GAP;
 use carom_num::Vec2;
 
 impl Obstacle {
@@ -32,19 +31,20 @@ impl World {
         sides.get(self.place(body, obstacle)).copied()
     }
 
-    /// The normal of a segment on the side on which a rod in line with it is known to be; `None` where the rod has left the line, or there is no such pair.
+    /// The normal of a segment on the side on which a rod in line with it, up to `reach` \[m\], is known to be; `None` where the rod has left the line, or
+    /// there is no such pair.
     pub(super) fn side_in_line(
         &self,
         (state, turn): (&State, Turn),
         (body, obstacle): (usize, usize),
-        left: bool,
+        (left, reach): (bool, f64),
     ) -> Option<Vec2> {
         let rod = &self.bodies[body].shape;
         let o = self.obstacles.get(obstacle).filter(|o| o.is_segment() && rod.is_thin_rod())?;
         let normal = o.direction().turned_left();
         let (height, seen) = (o.off_to_left(state.pose.centre), turn.undo(normal));
         let off = |vertex: &Vec2| (height + seen.dot(*vertex)).abs();
-        let in_line = rod.vertices().iter().all(|vertex| off(vertex) <= CLEAR_GAP * rod.size());
+        let in_line = rod.vertices().iter().all(|vertex| off(vertex) <= reach);
         in_line.then_some(if left { normal } else { -normal })
     }
 

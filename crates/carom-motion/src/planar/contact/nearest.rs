@@ -5,6 +5,9 @@ use super::kinematics::{Kinematics, Pairing, Turn, turns};
 use crate::planar::geometry::State;
 use crate::tolerance::FEATURE_SLACK;
 
+/// Rods whose ends are this many times as far from a line as distances may differ are in line with it.
+const IN_LINE: f64 = 4.0;
+
 impl World {
     /// The pair of features of a body and what it meets that is nearest to touching. `left`: on which side of what it meets the body is, where that is
     /// known.
@@ -18,7 +21,7 @@ impl World {
         let slack = FEATURE_SLACK * self.bodies[meeting.0].shape.size();
         // A rod in line with a segment touches it from the side on which it is known to be.
         let posed = (&states[meeting.0], turns[meeting.0]);
-        let side = left.filter(|left| self.side_in_line(posed, meeting, *left).is_some());
+        let side = left.filter(|left| self.side_in_line(posed, meeting, (*left, IN_LINE * slack)).is_some());
         let across =
             |pair| side.is_some() && self.side_touched(posed.1, pair).is_some_and(|from| Some(from) != side);
         let mut best: Option<(Pairing, f64, f64)> = None;

@@ -154,7 +154,9 @@ impl World {
         let turn = Turn::of(state);
         let mut best = Apart { distance: f64::NEG_INFINITY, safe: 0.0 };
         let (o, hulls) = (&self.obstacles[obstacle], self.are_hulls((body, obstacle)));
-        let side = bounds.left.and_then(|left| self.side_in_line((state, turn), (body, obstacle), left));
+        let in_line = CLEAR_GAP * self.bodies[body].shape.size();
+        let known = bounds.left.map(|left| (left, in_line));
+        let side = known.and_then(|known| self.side_in_line((state, turn), (body, obstacle), known));
         let probe = Probe { state, turn, body, obstacle, bounds, leniency, hulls, side };
         let (shape, met) = (self.bodies[body].shape.hull(), o.shape().hull());
         for normal in o.normals(state.pose.centre).filter(|normal| side.is_none_or(|s| s.dot(*normal) > 0.0))
