@@ -12,6 +12,8 @@ const MOST_SECANTS: u32 = 8;
 const MOST_ASTRAY: f64 = 0.02;
 /// A secant this many times as long as the one before follows rounding.
 const LEAP: f64 = 100.0;
+/// The fraction of a step within which a fall is looked for first, and then twice as far each time.
+const NEAREST: f64 = 1e-9;
 /// Halvings of the part of a step in which an event is, before a secant.
 const MOST_HALVINGS: u32 = 12;
 
@@ -92,6 +94,10 @@ pub fn placed<C: Course>(course: &mut C, step: &Step<C::Y>, event: C::Event, at:
         value = value_on(course, step, &event, x);
         slope = (other_value - value) / (other - x);
     }
+    // It rises there: that is where it came from, not where it falls.
+    if slope > 0.0 {
+        (x, slope) = bracketed(course, step, &event, at).unwrap_or((x, slope));
+    }
     Found { at: x, slope: Some(slope / step.length), event }
 }
 
@@ -100,7 +106,7 @@ pub fn placed<C: Course>(course: &mut C, step: &Step<C::Y>, event: C::Event, at:
 fn bracketed<C: Course>(course: &mut C, step: &Step<C::Y>, event: &C::Event, at: f64) -> Option<(f64, f64)> {
     let mut near = (at, value_on(course, step, event, at));
     // On the side where the fall is still to come, or has been.
-    let (side, mut reach) = (1.0_f64.copysign(near.1), MOST_ASTRAY);
+    let (side, mut reach) = (1.0_f64.copysign(near.1), NEAREST);
     let mut far = loop {
         let x = (at + side * reach).clamp(0.0, 1.0);
         let value = value_on(course, step, event, x);
@@ -117,8 +123,10 @@ fn bracketed<C: Course>(course: &mut C, step: &Step<C::Y>, event: &C::Event, at:
         let value = value_on(course, step, event, x);
         if side * value > 0.0 { near = (x, value) } else { far = (x, value) }
     }
+    // The last digits may be the same on both sides.
     let slope = (far.1 - near.1) / (far.0 - near.0);
-    Some((near.0 - near.1 / slope, slope))
+    let root = near.0 - near.1 / slope;
+    Some((if root.is_finite() { root } else { near.0 }, slope))
 }
 
 fn value_on<C: Course>(course: &mut C, step: &Step<C::Y>, event: &C::Event, x: f64) -> f64 {

@@ -8,7 +8,7 @@ use crate::planar::contact::{
     world::Scales,
 };
 use crate::planar::geometry::State;
-use crate::tolerance::{MOMENT, NOT_YET_LEFT};
+use crate::tolerance::{MOMENT, NOT_YET_LEFT, SIGNIFICANT_RATE};
 use carom_impact::planar::Slip;
 
 /// Most event functions of one contact: force, slip (or both sides of its cone), ends of its features, faces that close by turning.
@@ -182,11 +182,12 @@ impl<'r> WatchList<'r> {
     }
 
     fn push_leaving(&mut self, what: Watch, start: &Beginning) {
-        let significant = self.significant;
-        let order =
-            start.rates.iter().position(|r| r.abs() > significant).map_or(3, |i| if i == 0 { 1 } else { 2 });
         let [rate, bend] = start.rates;
-        if start.value < NOT_YET_LEFT && rate > significant && bend < 0.0 {
+        // What was said to open does so, however slowly, and falls back later: never at once, where it would be said again.
+        let opens = matches!(what, Watch::Gap(_)) && rate > SIGNIFICANT_RATE;
+        let counts = [opens || rate.abs() > self.significant, bend.abs() > self.significant];
+        let order = counts.iter().zip(1..).find_map(|(counts, order)| counts.then_some(order)).unwrap_or(3);
+        if start.value < NOT_YET_LEFT && counts[0] && rate > 0.0 && bend < 0.0 {
             self.returns = self.returns.min(-2.0 * rate / bend);
         }
         if start.value >= NOT_YET_LEFT {

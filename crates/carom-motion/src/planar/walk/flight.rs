@@ -18,7 +18,8 @@ use crate::planar::record::{
     trace::PieceEnd,
 };
 use crate::tolerance::{
-    INSTANT, MET_GAP, NEWTON_ASTRAY, NEWTON_DONE, STEP_PAST_TOUCH, STILL_SPEED, TOUCHING_GAP,
+    INSTANT, MET_GAP, NEWTON_ASTRAY, NEWTON_DONE, SIGNIFICANT_RATE, STEP_PAST_TOUCH, STILL_SPEED,
+    TOUCHING_GAP,
 };
 
 /// A pair of features that meets, and when.
@@ -125,7 +126,10 @@ impl World {
                 reason = "at most four derivatives"
             )]
             let order = i as i32 + 1;
-            if d.abs() * scales.time.powi(order) <= known.significant * scales.length {
+            let rate = d * scales.time.powi(order) / scales.length;
+            // What was said to open does so, however slowly: at once it does not fall back.
+            let opens = order == 1 && rate > SIGNIFICANT_RATE;
+            if rate.abs() <= known.significant && !opens {
                 continue;
             }
             if *d < 0.0 {
