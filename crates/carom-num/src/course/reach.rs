@@ -79,6 +79,7 @@ pub fn placed<C: Course>(course: &mut C, step: &Step<C::Y>, event: C::Event, at:
     let mut other = if x > FIRST_SECANT { x - FIRST_SECANT } else { x + FIRST_SECANT };
     let mut other_value = value_on(course, step, &event, other);
     let mut slope = (other_value - value) / (other - x);
+    let mut lost = false;
     for secants in 0..MOST_SECANTS {
         let next = (x - value / slope).clamp(0.0, 1.0);
         if !next.is_finite() || (next - x).abs() <= SECANT_DONE {
@@ -86,16 +87,16 @@ pub fn placed<C: Course>(course: &mut C, step: &Step<C::Y>, event: C::Event, at:
         }
         // A secant through last digits may lead anywhere, also to another place where the function is as small: to the start, if it began at zero.
         let leaps = secants > 0 && (next - x).abs() > LEAP * (x - other).abs();
-        if leaps || (next - at).abs() > MOST_ASTRAY {
-            (x, slope) = bracketed(course, step, &event, at).unwrap_or((x, slope));
+        lost = leaps || (next - at).abs() > MOST_ASTRAY;
+        if lost {
             break;
         }
         (other, other_value, x) = (x, value, next);
         value = value_on(course, step, &event, x);
         slope = (other_value - value) / (other - x);
     }
-    // It rises there: that is where it came from, not where it falls.
-    if slope > 0.0 {
+    // Where it rises it came from: it does not fall there.
+    if lost || slope > 0.0 {
         (x, slope) = bracketed(course, step, &event, at).unwrap_or((x, slope));
     }
     Found { at: x, slope: Some(slope / step.length), event }
