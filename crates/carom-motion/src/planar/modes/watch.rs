@@ -184,7 +184,7 @@ impl<'r> WatchList<'r> {
     fn push_leaving(&mut self, what: Watch, start: &Beginning) {
         let [rate, bend] = start.rates;
         // What was said to open does so, however slowly, and falls back later: never at once, where it would be said again.
-        let opens = matches!(what, Watch::Gap(_)) && rate > SIGNIFICANT_RATE;
+        let opens = !matches!(what, Watch::Slip(_)) && rate > SIGNIFICANT_RATE;
         let counts = [opens || rate.abs() > self.significant, bend.abs() > self.significant];
         let order = counts.iter().zip(1..).find_map(|(counts, order)| counts.then_some(order)).unwrap_or(3);
         if start.value < NOT_YET_LEFT && counts[0] && rate > 0.0 && bend < 0.0 {
