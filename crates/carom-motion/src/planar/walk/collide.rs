@@ -118,17 +118,15 @@ impl<const B: usize> Walker<'_, B> {
             let normal = if held.is_some() || still_here { 0.0 } else { k.approach };
             let sticks = held.is_some_and(|h| h.slip == Slip::Sticks);
             let slip = if sticks || k.slip.abs() <= still { 0.0 } else { k.slip };
-            if normal > 0.0 {
-                self.depart(pair);
-            } else {
-                struck.push(Struck { pair, slip, normal, present: held.map_or(Slip::Open, |h| h.slip) });
-            }
+            struck.push(Struck { pair, slip, normal, present: held.map_or(Slip::Open, |h| h.slip) });
         }
+        // What opens where something else strikes may be thrown back by that at once: it takes part.
         if struck.iter().any(|s| s.normal < 0.0) {
-            self.strike(&struck, false, observers)
-        } else {
-            self.settle_struck(&struck, observers)
+            return self.strike(&struck, false, observers);
         }
+        struck.iter().filter(|s| s.normal > 0.0).for_each(|s| self.depart(s.pair));
+        struck.retain(|s| s.normal <= 0.0);
+        self.settle_struck(&struck, observers)
     }
 
     /// True where a contact opens so slowly that the present mode brings it back within a negligible time.
