@@ -292,20 +292,23 @@ impl World {
                 continue;
             }
             let support = axis.dot(shape.vertices()[face]) + shape.radius() + radius;
+            let spared = probe.bounds.spared_along(probe.turn.apply(axis));
             let allowed = |gap: f64| gap + probe.leniency.allowance;
             let (mut distance, mut safe) = (f64::INFINITY, probe.bounds.horizon);
             for (end, d, bend) in ends {
                 let gap = axis.dot(*d) - support;
+                // What is met already does not stay apart because nothing drives it on.
+                let bend = if gap > MET_GAP * shape.size() { bend - spared } else { *bend };
                 let rate = w * axis.turned_left().dot(*d) - axis.dot(drift);
-                if longer && !stays_apart((allowed(gap), rate, *bend), best.safe) {
+                if longer && !stays_apart((allowed(gap), rate, bend), best.safe) {
                     continue 'faces;
                 }
                 distance = distance.min(gap);
                 let room = allowed(gap).max(0.0);
-                if stays_apart((room, rate, *bend), safe) {
+                if stays_apart((room, rate, bend), safe) {
                     continue;
                 }
-                let mut free = first_root(room, rate, *bend);
+                let mut free = first_root(room, rate, bend);
                 if probe.hulls
                     && let Some(time) = probe.known_open(Feature::FaceOnEnd { face, end: *end })
                 {
@@ -366,6 +369,14 @@ impl Bounds {
         let ahead = FARTHER * free;
         let bend = self.against(axis) + w * w * (along + w.abs() * reach * ahead / 3.0);
         first_root(room, rate, bend).min(ahead)
+    }
+
+    /// By how much less than its size an acceleration that is constant counts along an axis that turns with the body [m/s²].
+    fn spared_along(&self, axis: Vec2) -> f64 {
+        self.steady.map_or(0.0, |a| {
+            let turned = (self.spin * self.horizon).min(1.0);
+            (self.acceleration * (1.0 - turned) - axis.dot(a)).max(0.0)
+        })
     }
 
     /// Second rate of the distance of a fixed point at `d` from the centre along an axis that turns with the body: the acceleration, the

@@ -12,7 +12,7 @@ use crate::planar::contact::{
     world::Scales,
 };
 use crate::planar::geometry::{Shape, State};
-use crate::planar::walk::flight::{Known, falling_root};
+use crate::planar::walk::flight::{Known, MOST_STEPS, falling_root, growth};
 use crate::tolerance::{
     INSTANT, LEAST_ACCELERATION, MET_GAP, MOMENT, NEWTON_ASTRAY, NEWTON_DONE, SIGNIFICANT_RATE,
     STEP_PAST_TOUCH,
@@ -154,9 +154,6 @@ pub(super) struct Approach<'a, F: Fn(f64) -> [State; 2]> {
     pub(super) parting: bool,
 }
 
-/// Steps along a stretch in which two bodies graze after which they count as met.
-const MOST_STEPS: u32 = 4000;
-
 impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
     /// When they meet between two times, and with which features, first body first; the motion between is smooth.
     pub(super) fn first_meeting(&self, (from, until): (f64, f64)) -> Option<(f64, Pairing)> {
@@ -169,16 +166,22 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
         };
         let mut bounds = self.bounds(from, until);
         let mut t = from;
-        for steps in 0..MOST_STEPS {
+        for steps in 0.. {
             if t >= until {
                 return None;
             }
+            let lengthened = self.scales.time * growth(steps);
             bounds.horizon = until - t;
             let two = self.two(t);
             let apart = two.apart(&bounds, 0.0);
             if apart.distance > met {
-                t += apart.safe.max(INSTANT * self.scales.time);
+                t += apart.safe.max(INSTANT * lengthened);
                 continue;
+            }
+            if steps > MOST_STEPS
+                && let Some(pair) = self.world.nearest(&two.states, meeting, None)
+            {
+                return Some((t, pair));
             }
             if !(self.parting && steps == 0) {
                 let closing = self.world.closing(&two.states, meeting, &known);
@@ -188,9 +191,9 @@ impl<F: Fn(f64) -> [State; 2]> Approach<'_, F> {
             }
             // What opens, or grazes, is left alone for as long as nothing overlaps by more than counts as met.
             let free = two.apart(&bounds, 2.0 * met + (-apart.distance).max(0.0));
-            t += free.safe.max(STEP_PAST_TOUCH * self.scales.time);
+            t += free.safe.max(STEP_PAST_TOUCH * lengthened);
         }
-        self.world.nearest(&(self.at)(t), meeting, None).map(|pair| (t, pair))
+        None
     }
 
     /// Newton on the pair's own gap, with its second rate from a difference: near the top of a short hop the first alone overshoots.

@@ -40,8 +40,17 @@ pub(in crate::planar) struct Known<'a> {
 
 /// A flight that is likely to end where it began within this many of the world's own times is a hop.
 const HOP: f64 = 1.0;
-/// Steps of a march towards one obstacle after which it is given up as met.
-const MOST_STEPS: usize = 4000;
+/// Steps of a march towards what may be met after which what has touched all along counts as met, and what has been hardly apart takes longer steps:
+/// one that is not grazed takes tens.
+pub(in crate::planar) const MOST_STEPS: u32 = 4000;
+/// The least step doubles after each so many more.
+const STEPS_A_DOUBLING: u32 = 500;
+
+/// By how much the least step of a march has grown after so many steps: it stays a small part of the time that the march has taken.
+pub(in crate::planar) fn growth(steps: u32) -> f64 {
+    let doublings = steps.saturating_sub(MOST_STEPS) / STEPS_A_DOUBLING;
+    (0..doublings).fold(1.0, |grown, _| 2.0 * grown)
+}
 
 impl World {
     /// After this long in flight nothing can be met any more [s]; infinite without gravity.
@@ -188,10 +197,11 @@ impl Ballistic<'_> {
         {
             return None;
         }
-        for steps in 0..MOST_STEPS {
+        for steps in 0.. {
             if t >= until {
                 return None;
             }
+            let lengthened = self.known.scales.time * growth(steps);
             let state = self.at(t);
             let bounds =
                 Bounds { left, ..self.bounds(&state, (until - t).min(4.0 * self.known.scales.time)) };
@@ -201,8 +211,13 @@ impl Ballistic<'_> {
             if !just_opened {
                 let apart = apart(&Leniency::NONE);
                 if apart.distance > met {
-                    t += apart.safe.max(INSTANT * self.known.scales.time);
+                    t += apart.safe.max(INSTANT * lengthened);
                     continue;
+                }
+                if steps > MOST_STEPS
+                    && let Some(pair) = self.world.nearest(&[state], (0, obstacle), left)
+                {
+                    return Some(Touchdown { time: t, pair });
                 }
                 let closing = self.world.closing(&[state], (0, obstacle), self.known);
                 if !closing.is_empty() {
@@ -219,9 +234,9 @@ impl Ballistic<'_> {
                 leniency.allowance -= free.distance;
                 free = apart(&leniency);
             }
-            t += free.safe.max(STEP_PAST_TOUCH * self.known.scales.time);
+            t += free.safe.max(STEP_PAST_TOUCH * lengthened);
         }
-        self.world.nearest(&[self.at(t)], (0, obstacle), left).map(|pair| Touchdown { time: t, pair })
+        None
     }
 
     fn bounds(&self, state: &State, horizon: f64) -> Bounds {
