@@ -15,6 +15,7 @@ mod hollows;
 mod hooks;
 mod joint_corners;
 mod joints;
+mod narrow_corners;
 mod on_edge;
 mod polyhedra;
 mod polyhedra_thrown;

@@ -10,7 +10,16 @@ pub(crate) fn followed(
     sides: Vec<bool>,
     until: f64,
 ) -> (State, Trace, Happening) {
-    let options = Options { most_time: until, ..Options::default() };
+    followed_with(world, start, sides, Options { most_time: until, ..Options::default() })
+}
+
+/// As [`followed`], with options.
+pub(crate) fn followed_with(
+    world: &World,
+    start: State,
+    sides: Vec<bool>,
+    options: Options,
+) -> (State, Trace, Happening) {
     let mut walker = Walker::new(world, start, sides, options).unwrap();
     let mut recorder = Recorder::default();
     let end = loop {

@@ -2,6 +2,7 @@
 
 mod across;
 mod between;
+pub(in crate::planar) mod bounds;
 pub(in crate::planar) mod clearance;
 mod joint;
 pub(in crate::planar) mod kinematics;

@@ -20,11 +20,36 @@ pub(in crate::planar) struct Held {
     pub(in crate::planar) slip: Slip,
 }
 
+impl Held {
+    /// A contact that slips at this velocity; up to `still` it sticks [m/s].
+    pub(in crate::planar) fn slipping(pair: Pairing, velocity: f64, still: f64) -> Self {
+        let slip = match velocity {
+            v if v > still => Slip::Forward,
+            v if v < -still => Slip::Backward,
+            _ => Slip::Sticks,
+        };
+        Self { pair, slip }
+    }
+}
+
 /// Acceleration of the mass centre [m/s²] and of the angle [rad/s²].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::planar) struct Acceleration {
     pub(in crate::planar) linear: Vec2,
     pub(in crate::planar) angular: f64,
+}
+
+impl Acceleration {
+    /// Where a body is that moves so for a short time [s] from a state.
+    pub(in crate::planar) fn over(&self, state: &State, time: f64) -> State {
+        let (v, w) = (state.twist.velocity, state.twist.spin);
+        let mut out = *state;
+        out.pose.centre += v * time + self.linear * (0.5 * time * time);
+        out.pose.angle += w * time + 0.5 * self.angular * time * time;
+        out.twist.velocity += self.linear * time;
+        out.twist.spin += self.angular * time;
+        out
+    }
 }
 
 /// A held contact in one state, with its forces.

@@ -8,7 +8,7 @@ use crate::planar::contact::{
     world::Scales,
 };
 use crate::planar::geometry::State;
-use crate::tolerance::{MOMENT, NOT_YET_LEFT, SIGNIFICANT_RATE};
+use crate::tolerance::{MOMENT, NOT_YET_LEFT, STILL_SPEED};
 use carom_impact::planar::Slip;
 
 /// Most event functions of one contact: force, slip (or both sides of its cone), ends of its features, faces that close by turning.
@@ -84,6 +84,16 @@ pub(in crate::planar) struct WatchList<'r> {
     significant: f64,
     /// When the first of the quantities that leave zero is back there, were its rates to stay [units of the world's time].
     pub(in crate::planar) returns: f64,
+}
+
+/// The order of the first of a quantity's rates that counts, by these rates in the world's own units: more than `significant`, or, of what `opens` where
+/// a strike says so, more than what a strike takes for none. What was said to open falls back later, never at once, where it would be said again.
+pub(in crate::planar) fn leading(rates: &[f64], significant: f64, opens: bool) -> Option<i32> {
+    let counts = |(order, rate): (i32, &f64)| {
+        let leaves = opens && order == 1 && *rate > STILL_SPEED;
+        (leaves || rate.abs() > significant).then_some(order)
+    };
+    (1..).zip(rates).find_map(counts)
 }
 
 /// A quantity that is watched, at the start of a piece: value and first two rates, in the world's own units.
@@ -183,11 +193,8 @@ impl<'r> WatchList<'r> {
 
     fn push_leaving(&mut self, what: Watch, start: &Beginning) {
         let [rate, bend] = start.rates;
-        // What was said to open does so, however slowly, and falls back later: never at once, where it would be said again.
-        let opens = !matches!(what, Watch::Slip(_)) && rate > SIGNIFICANT_RATE;
-        let counts = [opens || rate.abs() > self.significant, bend.abs() > self.significant];
-        let order = counts.iter().zip(1..).find_map(|(counts, order)| counts.then_some(order)).unwrap_or(3);
-        if start.value < NOT_YET_LEFT && counts[0] && rate > 0.0 && bend < 0.0 {
+        let order = leading(&start.rates, self.significant, !matches!(what, Watch::Slip(_))).unwrap_or(3);
+        if start.value < NOT_YET_LEFT && order == 1 && rate > 0.0 && bend < 0.0 {
             self.returns = self.returns.min(-2.0 * rate / bend);
         }
         if start.value >= NOT_YET_LEFT {
@@ -274,11 +281,7 @@ impl World {
     ) -> f64 {
         let mut soon = *states;
         for (state, a) in soon.iter_mut().zip(&forces.acceleration) {
-            let (v, w) = (state.twist.velocity, state.twist.spin);
-            state.pose.centre += v * after + a.linear * (0.5 * after * after);
-            state.pose.angle += w * after + 0.5 * a.angular * after * after;
-            state.twist.velocity += a.linear * after;
-            state.twist.spin += a.angular * after;
+            *state = a.over(state, after);
         }
         let mut held = Few::default();
         for c in forces.contacts.iter() {

@@ -1,6 +1,18 @@
 //! Infinitely many impacts in finite time: seen as a geometric series of intervals, closed at its limit.
 
-use crate::tolerance::{LATE_SERIES, MOST_SERIES_RATIO, SERIES_LEFT};
+use super::terms::Happening;
+use super::walker::Walker;
+use crate::MotionError;
+use crate::planar::contact::{
+    kinematics::Pairing,
+    touching::{Few, Search},
+};
+use crate::planar::geometry::State;
+use crate::planar::modes::mode::{Acceleration, Held};
+use crate::planar::record::observer::Observers;
+use crate::tolerance::{
+    DEEPEST_TOUCH, LATE_SERIES, MOST_SERIES_RATIO, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP,
+};
 
 /// Impacts remembered.
 const REMEMBERED: usize = 9;
@@ -68,6 +80,72 @@ impl Recent {
         let left = late * ratio / (1.0 - ratio);
         (ratio < MOST_SERIES_RATIO && left < SERIES_LEFT * time_scale && late < LATE_SERIES * time_scale)
             .then_some(Series { from: t[0], left })
+    }
+}
+
+impl<const B: usize> Walker<'_, B> {
+    /// True where a rebound, and all that follow it, are over within a negligible time: the series of rebounds is at its limit.
+    pub(super) fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
+        let k = self.kinematics(pair);
+        let falls = [Acceleration { linear: self.world.gravity, angular: 0.0 }; B];
+        self.is_over_at_once(rebound, self.world.gap_bend(&k, pair, &falls))
+    }
+
+    /// True where a gap that opens at this rate and bends so is closed again within a negligible time.
+    pub(super) fn is_over_at_once(&self, rate: f64, bend: f64) -> bool {
+        bend < 0.0 && 2.0 * rate < -bend * SERIES_LEFT * self.scales.time
+    }
+
+    pub(super) fn report_accumulation(&self, from: f64, observers: &mut Observers<'_, B>) {
+        for observer in observers.iter_mut().flatten() {
+            observer.accumulation(from, self.time);
+        }
+    }
+
+    /// The pairs that a series of impacts is about to bring to rest, if it brings all that are near to rest.
+    pub(super) fn at_the_limit(&self, series: &Series) -> Option<Few<Held>> {
+        let way = |s: &State| s.twist.velocity.norm() + s.twist.spin.abs() * self.scales.length;
+        let way = series.left * self.states.iter().map(way).fold(0.0, f64::max);
+        let reach = (10.0 * TOUCHING_GAP * self.scales.length).max(4.0 * way);
+        let (deepest, still) = (DEEPEST_TOUCH * self.scales.length, STILL_SPEED * self.scales.speed);
+        let near = self.world.touching(
+            (&self.states, &self.turns()),
+            &Search { reach, deepest, sides: &self.sides, still, except: None },
+        );
+        let turns = self.turns();
+        let mut held: Few<Held> = Few::default();
+        for pair in near.iter().copied() {
+            let k = self.world.kinematics_turned(&self.states, &turns, pair);
+            if k.approach.abs() > SLOW_APPROACH * self.scales.speed {
+                return None;
+            }
+            held.push(Held::slipping(pair, k.slip, still));
+        }
+        Some(held)
+    }
+
+    /// Infinitely many impacts end here: what bounces is at rest on what it bounced on.
+    pub(super) fn close_series(
+        &mut self,
+        series: &Series,
+        held: &Few<Held>,
+        observers: &mut Observers<'_, B>,
+    ) -> Result<Happening, MotionError> {
+        self.recent.clear();
+        for state in &mut self.states {
+            state.pose.centre += state.twist.velocity * series.left;
+            state.pose.angle += state.twist.spin * series.left;
+        }
+        self.time += series.left;
+        self.report_accumulation(series.from, observers);
+        self.states = self.projected_onto(&self.states, held);
+        self.departing.clear();
+        self.held.clear();
+        let mut pairs = Few::default();
+        for h in held.iter() {
+            pairs.push(h.pair);
+        }
+        self.collide(&pairs, observers)
     }
 }
 

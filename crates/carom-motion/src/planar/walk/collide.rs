@@ -1,21 +1,20 @@
 //! What happens where features meet: the impact, and the question asked again after it.
 
-use super::accumulation::Series;
 use super::terms::{Happening, MarginOf};
 use super::walker::Walker;
 use crate::MotionError;
 use crate::planar::contact::{
     kinematics::{Kinematics, Pairing},
-    touching::{Few, MOST_TOUCHING, Search},
+    touching::{Few, MOST_TOUCHING},
 };
 use crate::planar::geometry::State;
 use crate::planar::modes::{
-    mode::{Acceleration, Held},
+    mode::Held,
     question::Asked,
     strike::{Strike, Struck, Witness},
 };
 use crate::planar::record::observer::{ImpactFacts, Observers, is_dense};
-use crate::tolerance::{DEEPEST_TOUCH, SAME_POINT, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP};
+use crate::tolerance::{SAME_POINT, SLOW_APPROACH, STILL_SPEED};
 use carom_impact::ImpactError;
 use carom_impact::planar::Slip;
 use carom_impact::planar::rate::MOST_EXAMINED;
@@ -120,7 +119,6 @@ impl<const B: usize> Walker<'_, B> {
             let slip = if sticks || k.slip.abs() <= still { 0.0 } else { k.slip };
             struck.push(Struck { pair, slip, normal, present: held.map_or(Slip::Open, |h| h.slip) });
         }
-        // What opens where something else strikes may be thrown back by that at once: it takes part.
         if struck.iter().any(|s| s.normal < 0.0) {
             return self.strike(&struck, false, observers);
         }
@@ -139,11 +137,6 @@ impl<const B: usize> Walker<'_, B> {
         }
         let a = self.world.accelerate(&self.held, &self.states);
         self.is_over_at_once(k.approach, self.world.gap_bend(k, pair, &a))
-    }
-
-    /// True where a gap that opens at this rate and bends so is closed again within a negligible time.
-    fn is_over_at_once(&self, rate: f64, bend: f64) -> bool {
-        bend < 0.0 && 2.0 * rate < -bend * SERIES_LEFT * self.scales.time
     }
 
     fn settle_struck(
@@ -175,6 +168,45 @@ impl<const B: usize> Walker<'_, B> {
         self.strike(&struck, true, observers)
     }
 
+    /// What an impact does.
+    fn resolved(&self, struck: &Few<Struck>, forced: bool, dense: bool) -> Result<Strike<B>, ImpactError> {
+        let posed = (&self.states, &self.turns());
+        match struck.len() {
+            1 => Strike::at_one(&self.world, posed, struck, forced, dense),
+            2 => Strike::at_several::<2, 4>(&self.world, posed, struck, dense),
+            3..=6 => Strike::at_several::<6, 12>(&self.world, posed, struck, dense),
+            _ => Strike::at_several::<12, 24>(&self.world, posed, struck, dense),
+        }
+    }
+
+    /// What an impact does, and the contacts that take part in it: what opens where something else strikes does so where it would be thrown back at once.
+    fn met(
+        &self,
+        struck: &Few<Struck>,
+        forced: bool,
+        dense: bool,
+    ) -> (Few<Struck>, Result<Strike<B>, ImpactError>) {
+        let mut closing = *struck;
+        closing.retain(|s| s.normal <= 0.0);
+        let resolved = self.resolved(&closing, forced, dense);
+        if closing.len() < struck.len()
+            && let Ok(strike) = &resolved
+            && self.throws_back(struck, strike)
+            && let Ok(all) = self.resolved(struck, forced, dense)
+        {
+            return (*struck, Ok(all));
+        }
+        (closing, resolved)
+    }
+
+    /// True where a contact that opens approaches after an impact in which it took no part.
+    fn throws_back(&self, struck: &Few<Struck>, strike: &Strike<B>) -> bool {
+        let (mut after, still) = (self.states, STILL_SPEED * self.scales.speed);
+        after.iter_mut().zip(&strike.twists).for_each(|(state, twist)| state.twist = *twist);
+        let mut opening = struck.iter().filter(|s| s.normal > 0.0);
+        opening.any(|s| self.world.kinematics(&after, s.pair).approach < -still)
+    }
+
     /// Resolves an impact and enters what follows it.
     fn strike(
         &mut self,
@@ -183,13 +215,10 @@ impl<const B: usize> Walker<'_, B> {
         observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let before = self.states;
-        let posed = (&before, &self.turns());
-        let resolved = match struck.len() {
-            1 => Strike::at_one(&self.world, posed, struck, forced, is_dense(observers)),
-            2 => Strike::at_several::<2, 4>(&self.world, posed, struck, is_dense(observers)),
-            3..=6 => Strike::at_several::<6, 12>(&self.world, posed, struck, is_dense(observers)),
-            _ => Strike::at_several::<12, 24>(&self.world, posed, struck, is_dense(observers)),
-        };
+        let (taken, resolved) = self.met(struck, forced, is_dense(observers));
+        let left_out = |s: &&Struck| !taken.iter().any(|t| t.pair == s.pair);
+        struck.iter().filter(left_out).for_each(|s| self.depart(s.pair));
+        let struck = &taken;
         let strike = match resolved {
             Ok(strike) => strike,
             Err(ImpactError::Jammed | ImpactError::Circling { .. }) => return Ok(unresolved(struck.len())),
@@ -279,19 +308,6 @@ impl<const B: usize> Walker<'_, B> {
         Ok(happening)
     }
 
-    fn report_accumulation(&self, from: f64, observers: &mut Observers<'_, B>) {
-        for observer in observers.iter_mut().flatten() {
-            observer.accumulation(from, self.time);
-        }
-    }
-
-    /// True where a rebound, and all that follow it, are over within a negligible time: the series of rebounds is at its limit.
-    fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
-        let k = self.kinematics(pair);
-        let falls = [Acceleration { linear: self.world.gravity, angular: 0.0 }; B];
-        self.is_over_at_once(rebound, self.world.gap_bend(&k, pair, &falls))
-    }
-
     /// Says which force a struck contact that opens at once would need to be held.
     fn report_lift_off(&self, asked: &Few<Asked>, observers: &mut Observers<'_, B>) {
         if asked.is_empty() || !self.held.is_empty() {
@@ -299,14 +315,7 @@ impl<const B: usize> Walker<'_, B> {
         }
         let mut all: Few<Held> = Few::default();
         for a in asked.iter() {
-            let slip = if a.slip > 0.0 {
-                Slip::Forward
-            } else if a.slip < 0.0 {
-                Slip::Backward
-            } else {
-                Slip::Sticks
-            };
-            all.push(Held { pair: a.pair, slip });
+            all.push(Held::slipping(a.pair, a.slip, 0.0));
         }
         let forces = self.world.forces(&all, &self.states);
         for (body, observer) in observers.iter_mut().enumerate() {
@@ -320,52 +329,6 @@ impl<const B: usize> Walker<'_, B> {
                 observer.lifts_off(needed);
             }
         }
-    }
-
-    /// The pairs that a series of impacts is about to bring to rest, if it brings all that are near to rest.
-    fn at_the_limit(&self, series: &Series) -> Option<Few<Held>> {
-        let way = |s: &State| s.twist.velocity.norm() + s.twist.spin.abs() * self.scales.length;
-        let way = series.left * self.states.iter().map(way).fold(0.0, f64::max);
-        let reach = (10.0 * TOUCHING_GAP * self.scales.length).max(4.0 * way);
-        let (deepest, still) = (DEEPEST_TOUCH * self.scales.length, STILL_SPEED * self.scales.speed);
-        let near = self.world.touching(
-            (&self.states, &self.turns()),
-            &Search { reach, deepest, sides: &self.sides, still, except: None },
-        );
-        let turns = self.turns();
-        let mut held: Few<Held> = Few::default();
-        for pair in near.iter().copied() {
-            let k = self.world.kinematics_turned(&self.states, &turns, pair);
-            if k.approach.abs() > SLOW_APPROACH * self.scales.speed {
-                return None;
-            }
-            held.push(Held { pair, slip: if k.slip.abs() <= still { Slip::Sticks } else { Slip::Forward } });
-        }
-        Some(held)
-    }
-
-    /// Infinitely many impacts end here: what bounces is at rest on what it bounced on.
-    fn close_series(
-        &mut self,
-        series: &Series,
-        held: &Few<Held>,
-        observers: &mut Observers<'_, B>,
-    ) -> Result<Happening, MotionError> {
-        self.recent.clear();
-        for state in &mut self.states {
-            state.pose.centre += state.twist.velocity * series.left;
-            state.pose.angle += state.twist.spin * series.left;
-        }
-        self.time += series.left;
-        self.report_accumulation(series.from, observers);
-        self.states = self.projected_onto(&self.states, held);
-        self.departing.clear();
-        self.held.clear();
-        let mut pairs = Few::default();
-        for h in held.iter() {
-            pairs.push(h.pair);
-        }
-        self.collide(&pairs, observers)
     }
 }
 

@@ -4,8 +4,9 @@ use super::path::Stretch;
 use super::walker::Walker;
 use crate::evaluated::{Quantity, evaluated};
 use crate::planar::contact::{
+    bounds::Bounds,
     kinematics::{Pairing, turns},
-    separation::{Bounds, Leniency, Open},
+    separation::{Leniency, Open},
 };
 use crate::planar::geometry::{Pose, State, Twist};
 use crate::planar::modes::{

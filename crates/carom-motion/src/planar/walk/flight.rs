@@ -7,19 +7,19 @@ use super::walker::Walker;
 use crate::MotionError;
 use crate::planar::contact::{
     World,
-    kinematics::{Kinematics, Pairing, Turn, turns},
-    separation::{Bounds, Leniency, Open},
+    bounds::Bounds,
+    kinematics::{Pairing, turns},
+    separation::{Leniency, Open},
     touching::{Few, Search},
     world::Scales,
 };
-use crate::planar::geometry::{Feature, State};
+use crate::planar::geometry::State;
 use crate::planar::record::{
     observer::{Observers, is_dense},
     trace::PieceEnd,
 };
 use crate::tolerance::{
-    INSTANT, MET_GAP, NEWTON_ASTRAY, NEWTON_DONE, SIGNIFICANT_RATE, STEP_PAST_TOUCH, STILL_SPEED,
-    TOUCHING_GAP,
+    INSTANT, MET_GAP, NEWTON_ASTRAY, NEWTON_DONE, STEP_PAST_TOUCH, STILL_SPEED, TOUCHING_GAP,
 };
 
 /// A pair of features that meets, and when.
@@ -45,6 +45,12 @@ const HOP: f64 = 1.0;
 pub(in crate::planar) const MOST_STEPS: u32 = 4000;
 /// The least step doubles after each so many more.
 const STEPS_A_DOUBLING: u32 = 500;
+
+/// Steps after which a march takes long.
+const MANY_STEPS: u32 = 64;
+
+/// A march that takes long.
+struct TakesLong;
 
 /// By how much the least step of a march has grown after so many steps: it stays a small part of the time that the march has taken.
 pub(in crate::planar) fn growth(steps: u32) -> f64 {
@@ -85,19 +91,23 @@ impl World {
     ) -> Option<Touchdown> {
         let path = Ballistic { world: self, start, known };
         let mut first: Option<Touchdown> = None;
+        let until = |first: &Option<Touchdown>| first.map_or(horizon, |f| f.time);
         // What it has just left is hardly what it meets first, unless it hops: what is likely met first is asked first, the others up to there.
         let left = |obstacle: usize| known.departing.iter().any(|d| d.obstacle == obstacle);
         let hops = known.departing.iter().any(|pair| self.hop(start, *pair, known) < HOP * known.scales.time);
         let obstacles = || 0..self.obstacles.len();
-        for obstacle in
-            obstacles().filter(|o| left(*o) == hops).chain(obstacles().filter(|o| left(*o) != hops))
-        {
-            let until = first.map_or(horizon, |f| f.time);
-            if let Some(touch) = path.march(obstacle, until)
-                && first.is_none_or(|f| touch.time < f.time)
-            {
-                first = Some(touch);
+        // One that takes long is left until the others have been asked: behind a wall, where nothing comes, it would be marched through for nothing.
+        let mut long: Few<usize> = Few::default();
+        let order = obstacles().filter(|o| left(*o) == hops).chain(obstacles().filter(|o| left(*o) != hops));
+        for obstacle in order {
+            match path.march(obstacle, until(&first), MANY_STEPS) {
+                Ok(touch) => first = touch.or(first),
+                Err(TakesLong) if long.push(obstacle) => {}
+                Err(TakesLong) => first = path.march_on(obstacle, until(&first)).or(first),
             }
+        }
+        for obstacle in long.iter() {
+            first = path.march_on(*obstacle, until(&first)).or(first);
         }
         first
     }
@@ -108,70 +118,6 @@ impl World {
         let bend = k.normal_bias + k.normal.dot(self.gravity);
         let hops = k.approach > STILL_SPEED * known.scales.speed && bend < 0.0;
         if hops { -2.0 * k.approach / bend } else { f64::INFINITY }
-    }
-
-    /// A time up to which a pair that opens from zero gap stays open for certain, by the Taylor series of its gap [s].
-    fn left_zero_after(&self, start: &State, pair: Pairing, known: &Known<'_>) -> f64 {
-        let scales = &known.scales;
-        let horizon = scales.time;
-        let speed = start.twist.velocity.norm() + self.gravity.norm() * horizon;
-        let mut w = start.twist.spin.abs();
-        // The centre of a shallow arc lies farther away than the body is large.
-        let shape = &self.body_of(pair).shape;
-        let size = shape.size().max(shape.reach());
-        let k = self.kinematics(std::array::from_ref(start), pair);
-        if let Feature::VertexOnEnd { vertex, end } = pair.feature {
-            // The line between two vertices turns as they pass each other.
-            let distance = (shape.radius_of(vertex) + self.met(pair).radius_of(end)).abs();
-            w += (speed + w * size) / distance;
-        }
-        let derivatives = self.gap_derivatives(start, pair, &k);
-        let reach = k.arm.norm() + size + speed * horizon;
-        let g = self.gravity.norm();
-        for (i, d) in derivatives.iter().enumerate() {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_possible_wrap,
-                reason = "at most four derivatives"
-            )]
-            let order = i as i32 + 1;
-            let rate = d * scales.time.powi(order) / scales.length;
-            // What was said to open does so, however slowly: at once it does not fall back.
-            let opens = order == 1 && rate > SIGNIFICANT_RATE;
-            if rate.abs() <= known.significant && !opens {
-                continue;
-            }
-            if *d < 0.0 {
-                return 0.0;
-            }
-            // |g⁽ᵐ⁺¹⁾| from the product rule for a turning normal and a falling point.
-            let n = f64::from(order + 1);
-            let next = w.powi(order + 1) * reach
-                + n * w.powi(order) * speed
-                + 0.5 * n * (n - 1.0) * w.powi(order - 1) * g;
-            return (0.5 * n * d / next.max(f64::MIN_POSITIVE)).min(horizon);
-        }
-        0.0
-    }
-
-    /// First four derivatives of a pair's gap in flight.
-    fn gap_derivatives(&self, state: &State, pair: Pairing, k: &Kinematics) -> [f64; 4] {
-        let (v, w, g) = (state.twist.velocity, state.twist.spin, self.gravity);
-        let second = k.normal_bias + k.normal.dot(g);
-        match pair.feature {
-            Feature::VertexOnFace { vertex, .. } => {
-                let r = Turn::of(state).apply(self.bodies[0].shape.vertices()[vertex]);
-                [k.approach, second, -w.powi(3) * k.normal.dot(r.turned_left()), w.powi(4) * k.normal.dot(r)]
-            }
-            Feature::FaceOnEnd { .. } => {
-                // n turns with the body: n′ = ω p, n″ = −ω² n, … ; d = centre − end.
-                let (n, p, d) = (k.normal, k.normal.turned_left(), -k.arm);
-                let third = -w.powi(3) * p.dot(d) - 3.0 * w * w * n.dot(v) + 3.0 * w * p.dot(g);
-                let fourth = w.powi(4) * n.dot(d) - 4.0 * w.powi(3) * p.dot(v) - 6.0 * w * w * n.dot(g);
-                [k.approach, second, third, fourth]
-            }
-            Feature::VertexOnEnd { .. } => [k.approach, second, 0.0, 0.0],
-        }
     }
 }
 
@@ -187,19 +133,27 @@ impl Ballistic<'_> {
         self.start.flown(self.world.gravity, t)
     }
 
+    /// As [`Ballistic::march`], however long it takes.
+    fn march_on(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
+        self.march(obstacle, until, u32::MAX).ok().flatten()
+    }
+
     /// Steps safely towards an obstacle until it is met or time is up.
-    fn march(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
+    ///
+    /// # Errors
+    /// [`TakesLong`] where that takes more than `most` steps.
+    fn march(&self, obstacle: usize, until: f64, most: u32) -> Result<Option<Touchdown>, TakesLong> {
         let met = MET_GAP * self.known.scales.length;
         let left = self.world.side(self.known.sides, (0, obstacle));
         let mut t = 0.0;
         if until.is_finite()
             && self.world.out_of_reach(self.start, (0, obstacle), &self.bounds(self.start, until))
         {
-            return None;
+            return Ok(None);
         }
-        for steps in 0.. {
+        for steps in 0..most {
             if t >= until {
-                return None;
+                return Ok(None);
             }
             let lengthened = self.known.scales.time * growth(steps);
             let state = self.at(t);
@@ -217,12 +171,12 @@ impl Ballistic<'_> {
                 if steps > MOST_STEPS
                     && let Some(pair) = self.world.nearest(&[state], (0, obstacle), left)
                 {
-                    return Some(Touchdown { time: t, pair });
+                    return Ok(Some(Touchdown { time: t, pair }));
                 }
                 let closing = self.world.closing(&[state], (0, obstacle), self.known);
                 if !closing.is_empty() {
                     let touches = closing.iter().filter_map(|pair| self.polish(*pair, t, until));
-                    return touches.min_by(|a, b| a.time.total_cmp(&b.time));
+                    return Ok(touches.min_by(|a, b| a.time.total_cmp(&b.time)));
                 }
                 allowance += (-apart.distance).max(0.0);
             }
@@ -236,7 +190,7 @@ impl Ballistic<'_> {
             }
             t += free.safe.max(STEP_PAST_TOUCH * lengthened);
         }
-        None
+        Err(TakesLong)
     }
 
     fn bounds(&self, state: &State, horizon: f64) -> Bounds {

@@ -5,7 +5,7 @@ use super::steady::steadily;
 use super::swing::Swing;
 use super::walker::Walker;
 use crate::evaluated::watched;
-use crate::planar::contact::{kinematics::turns, separation::Bounds};
+use crate::planar::contact::{bounds::Bounds, kinematics::turns};
 use crate::planar::modes::{
     mode::Forces,
     watch::{Watch, WatchList, Watched},

@@ -10,6 +10,7 @@ mod glide;
 mod gliding;
 mod holding;
 mod nodes;
+mod opening;
 pub(in crate::planar) mod path;
 mod project;
 mod reports;

@@ -4,8 +4,8 @@ use super::events::{Vector, unpack};
 use super::gliding::Gliding;
 use super::walker::Walker;
 use crate::planar::contact::{
+    bounds::Bounds,
     kinematics::{Turn, turns},
-    separation::Bounds,
 };
 use crate::planar::geometry::State;
 use crate::planar::modes::{

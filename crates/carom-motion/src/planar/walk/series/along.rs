@@ -2,7 +2,7 @@
 
 use super::Expanded;
 use super::expansion::{Expansion, Given, Spreads};
-use crate::planar::contact::{World, separation::Bounds, world::Scales};
+use crate::planar::contact::{World, bounds::Bounds, world::Scales};
 use crate::planar::geometry::State;
 use crate::planar::modes::watch::Watched;
 use crate::planar::walk::path::Stretch;

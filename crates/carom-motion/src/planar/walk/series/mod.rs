@@ -16,7 +16,7 @@ use super::swing::Swing;
 use super::terms::Happening;
 use super::walker::Walker;
 use crate::MotionError;
-use crate::planar::contact::{World, kinematics::Pairing, separation::Bounds, touching::Few, world::Scales};
+use crate::planar::contact::{World, bounds::Bounds, kinematics::Pairing, touching::Few, world::Scales};
 use crate::planar::geometry::Feature;
 use crate::planar::modes::{
     mode::Forces,

@@ -7,8 +7,8 @@
 use super::Expanded;
 use crate::planar::contact::{
     World,
+    bounds::Bounds,
     kinematics::{Kinematics, Turn},
-    separation::Bounds,
     touching::Few,
     world::Scales,
 };
