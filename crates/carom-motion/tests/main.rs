@@ -19,6 +19,7 @@ mod narrow_corners;
 mod on_edge;
 mod polyhedra;
 mod polyhedra_thrown;
+mod rebound_series;
 mod rests;
 mod rocking;
 mod spatial_ends;

@@ -132,7 +132,10 @@ impl<const B: usize> Walker<'_, B> {
         observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         self.recent.clear();
-        for state in &mut self.states {
+        // A lone body moves in the time that is left as it does from then on: that is what its rebounds come to. Of several, what is not struck may
+        // hang on others: they go on as they are.
+        let alone = B == 1;
+        for state in self.states.iter_mut().filter(|_| !alone) {
             state.pose.centre += state.twist.velocity * series.left;
             state.pose.angle += state.twist.spin * series.left;
         }
@@ -145,7 +148,14 @@ impl<const B: usize> Walker<'_, B> {
         for h in held.iter() {
             pairs.push(h.pair);
         }
-        self.collide(&pairs, observers)
+        let happening = self.collide(&pairs, observers)?;
+        if alone && happening == Happening::Moves {
+            let rates = self.world.accelerate(&self.held, &self.states);
+            for (state, rate) in self.states.iter_mut().zip(rates) {
+                *state = rate.over(state, series.left);
+            }
+        }
+        Ok(happening)
     }
 }
 
