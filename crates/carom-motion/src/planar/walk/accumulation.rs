@@ -135,9 +135,11 @@ impl<const B: usize> Walker<'_, B> {
         // A lone body moves in the time that is left as it does from then on: that is what its rebounds come to. Of several, what is not struck may
         // hang on others: they go on as they are.
         let alone = B == 1;
-        for state in self.states.iter_mut().filter(|_| !alone) {
-            state.pose.centre += state.twist.velocity * series.left;
-            state.pose.angle += state.twist.spin * series.left;
+        if !alone {
+            for state in &mut self.states {
+                state.pose.centre += state.twist.velocity * series.left;
+                state.pose.angle += state.twist.spin * series.left;
+            }
         }
         self.time += series.left;
         self.report_accumulation(series.from, observers);

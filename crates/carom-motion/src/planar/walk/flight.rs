@@ -103,11 +103,11 @@ impl World {
             match path.march(obstacle, until(&first), MANY_STEPS) {
                 Ok(touch) => first = touch.or(first),
                 Err(TakesLong) if long.push(obstacle) => {}
-                Err(TakesLong) => first = path.march_on(obstacle, until(&first)).or(first),
+                Err(TakesLong) => first = path.march_however_long(obstacle, until(&first)).or(first),
             }
         }
         for obstacle in long.iter() {
-            first = path.march_on(*obstacle, until(&first)).or(first);
+            first = path.march_however_long(*obstacle, until(&first)).or(first);
         }
         first
     }
@@ -134,7 +134,7 @@ impl Ballistic<'_> {
     }
 
     /// As [`Ballistic::march`], however long it takes.
-    fn march_on(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
+    fn march_however_long(&self, obstacle: usize, until: f64) -> Option<Touchdown> {
         self.march(obstacle, until, u32::MAX).ok().flatten()
     }
 
