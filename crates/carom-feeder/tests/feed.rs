@@ -159,29 +159,21 @@ fn random_feeds(seeds: u32, parts: usize) -> Sum {
         }
         sum
     };
-    let sum = (0..seeds).into_par_iter().map(fed).reduce(Sum::default, Sum::and);
-    println!("{parts} parts: {sum:?}");
-    sum
+    (0..seeds).into_par_iter().map(fed).reduce(Sum::default, Sum::and)
 }
 
 #[test]
 fn two_parts_of_random_feeds_stay_apart() {
     let sum = random_feeds(400, 2);
-    // Where a series of strikes is closed at its limit, what is left of it (up to 1e-6 of the world's time) is passed over at once, also
-    // while another part leans on the one that strikes: the deepest overlap comes from there.
-    assert!(sum.touched > 100 && sum.broken_off == 0 && sum.deepest < 1e-7, "{sum:?}");
+    assert!(sum.touched > 100 && sum.broken_off == 0 && sum.deepest < 1e-9, "{sum:?}");
     assert_eq!(sum.outcomes.get(&Outcome::NeverFlat), None, "{sum:?}");
 }
 
 #[test]
 fn three_parts_of_random_feeds_stay_apart() {
     let sum = random_feeds(150, 3);
-    assert!(sum.touched > 30 && sum.broken_off == 0 && sum.deepest < 1e-6, "{sum:?}");
-    // Two parts that lean on each other and on a plate may clatter on below 1e-7 m/s until the events are used up: which feeds come to that,
-    // the last bit of their start decides. It is one feed in three hundred, with one or two such parts.
-    let clattering = sum.outcomes.get(&Outcome::NeverFlat).copied().unwrap_or(0);
-    println!("of 450 parts {clattering} clatter until the events are used up");
-    assert!(clattering <= 4, "{sum:?}");
+    assert!(sum.touched > 30 && sum.broken_off == 0 && sum.deepest < 1e-7, "{sum:?}");
+    assert_eq!(sum.outcomes.get(&Outcome::NeverFlat), None, "{sum:?}");
 }
 
 #[test]

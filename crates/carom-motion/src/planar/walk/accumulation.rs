@@ -8,11 +8,13 @@ use crate::planar::contact::{
     touching::{Few, Search},
 };
 use crate::planar::geometry::State;
-use crate::planar::modes::mode::{Acceleration, Held};
+use crate::planar::modes::mode::Held;
 use crate::planar::record::observer::Observers;
 use crate::tolerance::{
     DEEPEST_TOUCH, LATE_SERIES, MOST_SERIES_RATIO, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP,
 };
+
+use carom_impact::planar::Slip;
 
 /// Impacts remembered.
 const REMEMBERED: usize = 9;
@@ -64,6 +66,16 @@ impl Recent {
         self.len = 0;
     }
 
+    /// What is left of a series [s] whose next impact follows after this time, if the intervals after it shrink as this one has. `None` where it has not.
+    fn left_from(&self, next: f64) -> Option<f64> {
+        let last = match self.times[..self.len] {
+            [.., before, now] => now - before,
+            _ => f64::INFINITY,
+        };
+        let ratio = next / last;
+        (ratio < MOST_SERIES_RATIO).then(|| next / (1.0 - ratio))
+    }
+
     /// The series these impacts belong to, once little is left of it. Four intervals are compared with the four before, so that a part that
     /// strikes with two corners in turn shows its ratio as well.
     pub(super) fn series(&self, time_scale: f64) -> Option<Series> {
@@ -84,11 +96,14 @@ impl Recent {
 }
 
 impl<const B: usize> Walker<'_, B> {
-    /// True where a rebound, and all that follow it, are over within a negligible time: the series of rebounds is at its limit.
-    pub(super) fn falls_back_at_once(&self, pair: Pairing, rebound: f64) -> bool {
-        let k = self.kinematics(pair);
-        let falls = [Acceleration { linear: self.world.gravity, angular: 0.0 }; B];
-        self.is_over_at_once(rebound, self.world.gap_bend(&k, pair, &falls))
+    /// What is left of the series of rebounds of a struck contact where it is at its limit: this rebound, and all that follow it, are over within a
+    /// negligible time [s]. `kept` are the contacts that the strike leaves closed.
+    pub(super) fn left_at_the_limit(&self, pair: Pairing, rebound: f64, kept: &Few<Held>) -> Option<f64> {
+        // Two bodies fall alike: what brings them together again is what holds them.
+        let falls = self.world.accelerate(kept, &self.states);
+        let bend = self.world.gap_bend(&self.kinematics(pair), pair, &falls);
+        let next = -2.0 * rebound / bend;
+        if self.is_over_at_once(rebound, bend) { self.recent.left_from(next) } else { None }
     }
 
     /// True where a gap that opens at this rate and bends so is closed again within a negligible time.
@@ -152,18 +167,34 @@ impl<const B: usize> Walker<'_, B> {
         }
         let happening = self.collide(&pairs, observers)?;
         if alone && happening == Happening::Moves {
-            let rates = self.world.accelerate(&self.held, &self.states);
-            for (state, rate) in self.states.iter_mut().zip(rates) {
-                *state = rate.over(state, series.left);
-            }
+            self.states = self.moved_in(series.left);
         }
         Ok(happening)
+    }
+
+    /// Where the present mode moves the bodies within a short time [s], or until a slip stops before that: from then on another mode moves them.
+    fn moved_in(&self, time: f64) -> [State; B] {
+        let rates = self.world.accelerate(&self.held, &self.states);
+        let after = |time: f64| {
+            let mut states = self.states;
+            states.iter_mut().zip(&rates).for_each(|(state, rate)| *state = rate.over(state, time));
+            states
+        };
+        let moved = after(time);
+        let share = |h: &Held| {
+            let [from, to] = [&self.states, &moved].map(|states| self.world.kinematics(states, h.pair).slip);
+            if from * to < 0.0 { from / (from - to) } else { 1.0 }
+        };
+        let slips = self.held.iter().filter(|h| h.slip != Slip::Sticks);
+        let first = slips.map(share).fold(1.0, f64::min);
+        if first < 1.0 { after(first * time) } else { moved }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planar::{examples, walk::terms::Options};
 
     #[test]
     fn a_geometric_series_is_closed_at_its_limit() {
@@ -180,6 +211,22 @@ mod tests {
             interval *= e;
         }
         panic!("never closed");
+    }
+
+    #[test]
+    fn what_is_left_is_passed_over_until_a_slip_stops() {
+        // A ball of radius R without spin slips to its stop in v/(3 μ g): beyond that friction would turn it round.
+        let (world, mut start) = examples::sliding_ball();
+        let speed = 1e-7;
+        start.twist.velocity.x = speed;
+        let mut walker: Walker<1> = Walker::new(&world, start, vec![], Options::default()).unwrap();
+        let pair = walker.touching(0.0).get(0).copied().unwrap();
+        walker.held.push(Held { pair, slip: Slip::Forward });
+        let stops = speed / (3.0 * 0.3 * 10.0);
+        for (time, left) in [(0.5 * stops, 0.5 * speed), (stops, 0.0), (100.0 * stops, 0.0)] {
+            let slip = world.kinematics(&walker.moved_in(time), pair).slip;
+            assert!((slip - left).abs() < 1e-9 * speed, "{time} s: {slip} instead of {left} m/s");
+        }
     }
 
     #[test]

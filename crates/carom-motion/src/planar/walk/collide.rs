@@ -1,5 +1,6 @@
 //! What happens where features meet: the impact, and the question asked again after it.
 
+use super::accumulation::Series;
 use super::terms::{Happening, MarginOf};
 use super::walker::Walker;
 use crate::MotionError;
@@ -276,30 +277,38 @@ impl<const B: usize> Walker<'_, B> {
         observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
         let still = STILL_SPEED * self.scales.speed;
-        let mut asked = Few::default();
-        let mut closed: Few<Held> = Few::default();
+        let (mut kept, mut closed, mut asked) = (Few::default(), Few::default(), Few::default());
         self.held.clear();
         for (s, [slip, normal]) in struck.iter().zip(strike.after.iter()) {
-            let bounces = *normal > still && !self.falls_back_at_once(s.pair, *normal);
-            if bounces {
-                self.depart(s.pair);
-                continue;
+            if *normal <= still {
+                kept.push(Held::slipping(s.pair, *slip, still));
             }
-            // It rises, and is back at once: the series is at its limit, and what speed is left is taken away before the contacts are asked.
+        }
+        let mut left: f64 = 0.0;
+        for (s, [slip, normal]) in struck.iter().zip(strike.after.iter()) {
             if *normal > still {
+                let Some(rest) = self.left_at_the_limit(s.pair, *normal, &kept) else {
+                    self.depart(s.pair);
+                    continue;
+                };
+                left = left.max(rest);
                 closed.push(Held { pair: s.pair, slip: Slip::Forward });
             }
             let slip = if slip.abs() <= still { 0.0 } else { *slip };
             asked.push(Asked { pair: s.pair, slip, known: None, present: Slip::Open });
         }
-        if !closed.is_empty() {
-            self.report_accumulation(self.recent.first().unwrap_or(self.time), observers);
-            self.states = self.projected_onto(&self.states, &closed);
-        }
-        if let Some(series) = self.recent.series(self.scales.time)
+        let from = self.recent.first().unwrap_or(self.time);
+        let known = (!closed.is_empty()).then_some(Series { from, left });
+        if let Some(series) = known.or_else(|| self.recent.series(self.scales.time))
             && let Some(held) = self.at_the_limit(&series)
+            && (closed.is_empty() || held.iter().all(|h| asked.iter().any(|a| a.pair == h.pair)))
         {
             return self.close_series(&series, &held, observers);
+        }
+        // Others are on the move beside what falls back at once: what speed is left to it is taken away before the contacts are asked.
+        if !closed.is_empty() {
+            self.report_accumulation(from, observers);
+            self.states = self.projected_onto(&self.states, &closed);
         }
         let happening = self.settle(&asked, observers)?;
         if is_dense(observers) {
