@@ -61,7 +61,8 @@ fn text(report: &ForceAnswerReport, certainty: &Certainty) -> String {
         );
         return text;
     }
-    text + "\nrejected\n" + &hypotheses_text(vec![], &report.rejected)
+    let rejected = report.rejected.iter().map(|r| [&r.hypothesis, &r.because]);
+    text + "\nrejected\n" + &hypotheses_text(vec![], rejected, 0)
 }
 
 fn motion_text(motion: &ForceMotionReport) -> String {

@@ -106,6 +106,8 @@ pub struct ImpactFigure {
     pub stages: Option<usize>,
     /// The other hypotheses, each with what rejects it; `None` where they were not examined.
     pub rejected: Option<Vec<[String; 2]>>,
+    /// Rejected hypotheses beyond these.
+    pub left_out: usize,
     /// The file as written.
     pub source: String,
     /// What made the report, with its version.
@@ -160,7 +162,7 @@ pub(crate) fn examined(figure: &ImpactFigure) -> Markup {
         @if let Some(rejected) = &figure.rejected {
             section id="hypotheses" {
                 h2 { @if figure.stages.is_some() { "Ways on, stage by stage" } @else { "End states" } }
-                (hypotheses(&figure.found, figure.stages, rejected))
+                (hypotheses(&figure.found, figure.stages, (rejected, figure.left_out)))
             }
         }
     }
@@ -261,8 +263,12 @@ pub(crate) fn shared(shared: &[ImpactShared]) -> Markup {
     }
 }
 
-/// The end states and what rejects the others.
-pub(crate) fn hypotheses(found: &[String], stages: Option<usize>, rejected: &[[String; 2]]) -> Markup {
+/// The end states and what rejects the others, of which so many are left out.
+pub(crate) fn hypotheses(
+    found: &[String],
+    stages: Option<usize>,
+    (rejected, left_out): (&[[String; 2]], usize),
+) -> Markup {
     let what = if stages.is_some() { "way on" } else { "end state" };
     let mut ends = match found.len() {
         0 => format!("No {what} is consistent"),
@@ -279,11 +285,12 @@ pub(crate) fn hypotheses(found: &[String], stages: Option<usize>, rejected: &[[S
     let consistent =
         found.iter().map(|found| html! { tr { th scope="row" { (found) } td.words { "consistent" } } });
     let refused = rejected.iter().take(MOST_REJECTED).map(refused);
+    let more = rejected.len().saturating_sub(MOST_REJECTED) + left_out;
     html! {
         details open[found.len() != 1] {
-            summary { (ends) ", " (rejected.len()) " hypotheses are rejected" }
+            summary { (ends) ", " (rejected.len() + left_out) " hypotheses are rejected" }
             (table("small", &[], consistent.chain(refused)))
-            @if rejected.len() > MOST_REJECTED { p.note { "and " (rejected.len() - MOST_REJECTED) " more." } }
+            @if more > 0 { p.note { "and " (more) " more." } }
         }
     }
 }

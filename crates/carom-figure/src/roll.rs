@@ -180,7 +180,7 @@ fn one(i: usize, strike: &RollStrike) -> Markup {
             p.kind { (strike.state) }
             @if let Some(words) = &strike.words { p.note { "In the literature: " (words) "." } }
             (contacts_table(&strike.contacts))
-            (hypotheses(&strike.found, None, &strike.rejected))
+            (hypotheses(&strike.found, None, (&strike.rejected, 0)))
         }
     }
 }

@@ -23,6 +23,9 @@ use carom_words::impact::{self, Clock};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+/// Rejected hypotheses that are told: all of four contacts; six have more than a hundred thousand.
+pub(crate) const MOST_REJECTED: usize = 4096;
+
 /// The staged walk.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StagedReport {
@@ -133,8 +136,10 @@ pub struct ImpactAnswerReport {
     pub sharing: Vec<SharingReport>,
     /// Every consistent end state; the one that was found where uniqueness is not examined.
     pub end_states: Vec<EndStateReport>,
-    /// The other hypotheses; empty where uniqueness is not examined.
+    /// The other hypotheses, 4096 at most; empty where uniqueness is not examined.
     pub rejected: Vec<RejectedReport>,
+    /// Rejected hypotheses beyond those that are told.
+    pub rejected_left_out: usize,
 }
 
 impl ImpactAnswerReport {
@@ -162,6 +167,7 @@ impl ImpactAnswerReport {
                     sharing: vec![],
                     end_states: found.ok().map(|end| end_state_report(problem, end)).into_iter().collect(),
                     rejected: vec![],
+                    rejected_left_out: 0,
                 }
             }
         }
@@ -190,7 +196,8 @@ fn examined_report(
         }),
         sharing: shared.iter().map(|shared| sharing_report(problem, shared)).collect(),
         end_states: ends.found.iter().map(|end| end_state_report(problem, end)).collect(),
-        rejected: ends.rejected.iter().map(|rejected| rejected_report(problem, rejected)).collect(),
+        rejected: ends.rejected.iter().take(MOST_REJECTED).map(|r| rejected_report(problem, r)).collect(),
+        rejected_left_out: ends.rejected.len().saturating_sub(MOST_REJECTED),
     }
 }
 

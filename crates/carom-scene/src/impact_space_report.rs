@@ -1,6 +1,7 @@
 //! What an impact in space says, as JSON: SI, the unit in the key, vectors in the file's axes.
 
 use crate::impact_event_report::{ForcedReport, ImpactEventReport, ImpactFailure};
+use crate::impact_report::MOST_REJECTED;
 use crate::impact_space::{SpatialImpactAnswer, SpatialImpactProblem};
 use crate::impact_space_stage_report::{
     SpatialContactState, SpatialHypothesisReport, SpatialImpactContactReport, SpatialWalkStageReport,
@@ -10,7 +11,8 @@ use crate::tolerance::STILL_IN_SPACE;
 use crate::word::Word;
 use carom_impact::planar::ContactState;
 use carom_impact::spatial::{
-    Conclusion, Condition, Freedom, Guess, MOST_EXAMINED, Mode, Refusal, StagedOutcome, staged,
+    Conclusion, Condition, Freedom, Guess, MOST_EXAMINED, Mode, Refusal, StagedOutcome, StatesOfKeeping,
+    staged,
 };
 use carom_impact::{Law, Phase};
 use carom_num::Vec3;
@@ -19,8 +21,8 @@ use carom_words::{impact, impact_space};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Rejected hypotheses that are told of a stage, or of the law under which nothing slides.
-const MOST_REJECTED: usize = 64;
+/// Rejected hypotheses that are told of one stage of many.
+const MOST_REJECTED_OF_A_STAGE: usize = 64;
 
 /// Where an impact in space ends.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -106,14 +108,16 @@ pub struct SpatialImpactReport {
     pub stages: Vec<SpatialWalkStageReport>,
     /// Every consistent state of the law under which nothing slides, without restitution.
     pub non_sliding: Vec<SpatialKeptReport>,
-    /// Its other states, each with what rejects it.
+    /// Its other states, each with what rejects it, 4096 at most.
     pub non_sliding_rejected: Vec<SpatialHypothesisReport>,
+    /// Rejected states beyond those that are told.
+    pub non_sliding_rejected_left_out: usize,
 }
 
 impl SpatialImpactReport {
     /// The answer in words and numbers.
     pub fn new(problem: &SpatialImpactProblem, answer: &SpatialImpactAnswer) -> Self {
-        let (non_sliding, non_sliding_rejected) = non_sliding(problem);
+        let states = problem.contacts.states_of_keeping();
         let end = answer.outcome.as_ref().ok();
         Self {
             outcome: Word(match end {
@@ -132,8 +136,9 @@ impl SpatialImpactReport {
             not_staged: answer.outcome.as_ref().err().map(|error| impact::failure(&problem.names, error)),
             failure: answer.outcome.as_ref().err().map(ImpactFailure::of),
             stages: answer.stages.iter().map(|stage| stage_report(problem, stage)).collect(),
-            non_sliding,
-            non_sliding_rejected,
+            non_sliding: non_sliding(problem, &states),
+            non_sliding_rejected: non_sliding_rejected(problem, &states),
+            non_sliding_rejected_left_out: states.refused.len().saturating_sub(MOST_REJECTED),
         }
     }
 }
@@ -203,8 +208,8 @@ fn stage_report(
             inequality: inequality(problem, condition, -slack, stage.phase),
         });
     });
-    let left_out = rejected.len().saturating_sub(MOST_REJECTED);
-    rejected.truncate(MOST_REJECTED);
+    let left_out = rejected.len().saturating_sub(MOST_REJECTED_OF_A_STAGE);
+    rejected.truncate(MOST_REJECTED_OF_A_STAGE);
     let forced = impact_space::ground(names, stage.ground);
     let contacts = (0..set.count).map(|i| {
         contact(
@@ -275,28 +280,36 @@ fn refusal(problem: &SpatialImpactProblem, refusal: Refusal, amount: f64) -> Ine
     }
 }
 
-/// Every state of the law under which nothing slides.
-fn non_sliding(problem: &SpatialImpactProblem) -> (Vec<SpatialKeptReport>, Vec<SpatialHypothesisReport>) {
-    let (set, n) = (&problem.contacts, problem.names.len());
-    let states = set.states_of_keeping();
-    let names = &problem.names;
+/// Every state that the law under which nothing slides allows.
+fn non_sliding(
+    problem: &SpatialImpactProblem,
+    states: &StatesOfKeeping<MOST_EXAMINED>,
+) -> Vec<SpatialKeptReport> {
+    let n = problem.names.len();
     let consistent = states.consistent.iter().map(|state| {
         let demand = narrowest(&state.impulse, &state.free);
         SpatialKeptReport {
-            hypothesis: impact_space::keeping(names, &state.kept),
+            hypothesis: impact_space::keeping(&problem.names, &state.kept),
             normal_impulses: state.impulse[..n].iter().map(|p| p.z).collect(),
             normal_velocities_m_s: state.velocity[..n].iter().map(|v| v.z).collect(),
             friction_demand: demand.is_finite().then_some(demand),
         }
     });
-    let rejected = states.refused.iter().take(MOST_REJECTED).map(|refused| {
-        let does = |kept: &bool| Word(if *kept { Mode::Sticks } else { Mode::Open });
-        SpatialHypothesisReport {
-            hypothesis: impact_space::keeping(names, &refused.kept),
-            states: refused.kept[..n].iter().map(does).collect(),
-            because: impact_space::refused(names, refused.refusal, refused.amount),
-            inequality: refusal(problem, refused.refusal, refused.amount),
-        }
+    consistent.collect()
+}
+
+/// What rejects its other states.
+fn non_sliding_rejected(
+    problem: &SpatialImpactProblem,
+    states: &StatesOfKeeping<MOST_EXAMINED>,
+) -> Vec<SpatialHypothesisReport> {
+    let names = &problem.names;
+    let does = |kept: &bool| Word(if *kept { Mode::Sticks } else { Mode::Open });
+    let rejected = states.refused.iter().take(MOST_REJECTED).map(|refused| SpatialHypothesisReport {
+        hypothesis: impact_space::keeping(names, &refused.kept),
+        states: refused.kept[..names.len()].iter().map(does).collect(),
+        because: impact_space::refused(names, refused.refusal, refused.amount),
+        inequality: refusal(problem, refused.refusal, refused.amount),
     });
-    (consistent.collect(), rejected.collect())
+    rejected.collect()
 }

@@ -2,7 +2,9 @@
 
 use crate::held;
 
-use carom_scene::{Form, ImpactAnswerReport, ImpactOutcome, ImpactProblem, SharingVerdict, Uniqueness};
+use carom_scene::{
+    Form, ImpactAnswer, ImpactAnswerReport, ImpactOutcome, ImpactProblem, SharingVerdict, Uniqueness,
+};
 
 /// The strike of the feeder paper's case 2: printed state before, exact state after (ω 31.972, v_τ 0.408).
 const CASE_2: &str = r#"
@@ -113,6 +115,21 @@ fn a_box_on_eight_feet_has_one_motion_and_many_impulses() {
     assert!(end.indeterminate && !end.gained_energy, "{end:?}");
     let [_, up] = end.end.velocity_m_s.unwrap();
     assert!((up - 0.5).abs() < 1e-12, "{up}");
+}
+
+#[test]
+fn of_many_hypotheses_the_first_are_told_and_the_rest_counted() {
+    // What is told and what is left out are together what the library rejects.
+    for (count, all) in [(4, true), (6, false)] {
+        let problem = problem_of(&feet(count));
+        let answer = problem.solve();
+        let report = ImpactAnswerReport::new(&problem, &answer);
+        let ImpactAnswer::Examined(examined) = answer else { panic!("{count} contacts are examined") };
+        let rejected = examined.ends.rejected.len();
+        assert_eq!(report.rejected.len() + report.rejected_left_out, rejected);
+        assert_eq!(report.rejected_left_out == 0, all, "{rejected} at {count} contacts");
+        assert!(report.rejected.len() <= 4096, "{}", report.rejected.len());
+    }
 }
 
 /// Eight equal balls in a row: together they reach an eighth of the first one's velocity, and restitution repeats every impulse.

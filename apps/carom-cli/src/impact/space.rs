@@ -2,7 +2,7 @@
 
 use crate::args::{Format, Output};
 use crate::failure::Failure;
-use crate::impact::text::in_two_columns;
+use crate::impact::text::hypotheses_text;
 use crate::impact::write_all;
 use crate::table::fixed;
 use carom::tasks::impact::space::{SpatialImpactStudy, lead, triple, verdict};
@@ -15,10 +15,6 @@ use carom_words::aligned;
 use std::fmt::Write as _;
 use std::io::Write;
 
-/// Characters of a hypothesis, at least.
-const HYPOTHESIS: usize = 36;
-/// Rejected hypotheses of a stage that are shown to a person.
-const MOST_REJECTED: usize = 12;
 /// An impact at so many contacts takes well below a second.
 const QUICK: usize = 5;
 /// Stages shown to a person.
@@ -78,7 +74,11 @@ fn text(study: &SpatialImpactStudy) -> String {
     if report.non_sliding.is_empty() {
         text += "  no state is consistent\n";
     }
-    text + &rejected_text(kept.collect(), &report.non_sliding_rejected, 0)
+    text + &hypotheses_text(
+        kept.collect(),
+        told(&report.non_sliding_rejected),
+        report.non_sliding_rejected_left_out,
+    )
 }
 
 /// Each of several bodies after the impact.
@@ -137,22 +137,10 @@ fn stage_text(number: usize, stage: &SpatialWalkStageReport) -> String {
     }
     let only = if stage.examined { "consistent" } else { "consistent; directions of others were looked for" };
     let ways = stage.ways_on.iter().map(|way| [way.clone(), only.to_owned()]);
-    text + &rejected_text(ways.collect(), &stage.rejected, stage.rejected_left_out)
+    text + &hypotheses_text(ways.collect(), told(&stage.rejected), stage.rejected_left_out)
 }
 
-/// Ways on and what is said of them, then what rejects the other hypotheses, a line each.
-fn rejected_text(
-    mut rows: Vec<[String; 2]>,
-    rejected: &[SpatialHypothesisReport],
-    left_out: usize,
-) -> String {
-    let shown = rejected.iter().take(MOST_REJECTED);
-    rows.extend(shown.map(|one| [one.hypothesis.clone(), one.because.clone()]));
-    let mut text = in_two_columns(&rows, HYPOTHESIS);
-    let more = left_out + rejected.len().saturating_sub(MOST_REJECTED);
-    if more > 0 {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "  … {more} more rejected, with --format json");
-    }
-    text
+/// Rejected hypotheses, each with what rejects it.
+fn told(rejected: &[SpatialHypothesisReport]) -> impl ExactSizeIterator<Item = [&String; 2]> {
+    rejected.iter().map(|r| [&r.hypothesis, &r.because])
 }

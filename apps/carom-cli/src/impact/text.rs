@@ -3,8 +3,7 @@
 use crate::table::fixed;
 use carom::tasks::impact::words::{law, not_examined, said, share_words, shown, states, velocities};
 use carom_scene::{
-    Certainty, EndReport, ImpactAnswerReport, ImpactProblem, RejectedReport, SharingVerdict, Uniqueness,
-    sharing_words,
+    Certainty, EndReport, ImpactAnswerReport, ImpactProblem, SharingVerdict, Uniqueness, sharing_words,
 };
 use carom_words::aligned;
 use std::fmt::Write as _;
@@ -33,18 +32,25 @@ pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport, certain
         let gained = if end.gained_energy { ", with more energy than before" } else { "" };
         [end.hypothesis.clone(), format!("consistent{gained}")]
     });
-    text + &hypotheses_text(consistent.collect(), &report.rejected)
+    let rejected = report.rejected.iter().map(|r| [&r.hypothesis, &r.because]);
+    text + &hypotheses_text(consistent.collect(), rejected, report.rejected_left_out)
 }
 
-/// Hypotheses that are consistent and what is said of them, then those that are rejected, a line each; of many the first.
-pub(crate) fn hypotheses_text(mut rows: Vec<[String; 2]>, rejected: &[RejectedReport]) -> String {
-    let shown = rejected.iter().take(MOST_REJECTED);
-    rows.extend(shown.map(|one| [one.hypothesis.clone(), one.because.clone()]));
+/// Hypotheses that are consistent and what is said of them, then those that are rejected, a line each; of many the first. So many more are told nowhere.
+pub(crate) fn hypotheses_text<'a>(
+    mut rows: Vec<[String; 2]>,
+    rejected: impl ExactSizeIterator<Item = [&'a String; 2]>,
+    left_out: usize,
+) -> String {
+    let told = rejected.len().saturating_sub(MOST_REJECTED);
+    rows.extend(rejected.take(MOST_REJECTED).map(|one| one.map(Clone::clone)));
     let mut text = in_two_columns(&rows, HYPOTHESIS);
-    if let Some(more) = rejected.len().checked_sub(MOST_REJECTED).filter(|more| *more > 0) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "  … {more} more rejected, all with --format json");
-    }
+    // Writing to a String cannot fail.
+    let _ = match (told + left_out, left_out) {
+        (0, _) => Ok(()),
+        (more, 0) => writeln!(text, "  … {more} more rejected, all with --format json"),
+        (more, _) => writeln!(text, "  … {more} more rejected, {told} of them with --format json"),
+    };
     text
 }
 

@@ -82,7 +82,9 @@ class PlanarImpact(Answer):
     outcome: ImpactOutcome
     """Whether this is the only answer."""
     rejected: list[Rejected]
-    """The other hypotheses; empty where uniqueness is not examined."""
+    """The other hypotheses, 4096 at most; empty where uniqueness is not examined."""
+    rejected_left_out: int
+    """Rejected hypotheses beyond those that are told."""
     sharing: list[Sharing]
     """What the conventions on sharing say, where several contacts act; else empty."""
     staged: Staged | None = None
@@ -242,7 +244,9 @@ class SpatialImpact(Answer):
     non_sliding: list[SpatialKept]
     """Every consistent state of the law under which nothing slides, without restitution."""
     non_sliding_rejected: list[SpatialHypothesis]
-    """Its other states, each with what rejects it."""
+    """Its other states, each with what rejects it, 4096 at most."""
+    non_sliding_rejected_left_out: int
+    """Rejected states beyond those that are told."""
     not_staged: str | None = None
     """Why there is no walk, in words; null where there is one."""
     outcome: Literal["unique", "several", "none", "forced"]

@@ -48,6 +48,7 @@ pub(super) fn figure(study: &ImpactStudy, title: &str, source: &str) -> ImpactFi
         found: report.end_states.iter().map(|end| end.hypothesis.clone()).collect(),
         stages: None,
         rejected: (report.uniqueness == Uniqueness::Examined).then(|| rejected.collect()),
+        left_out: report.rejected_left_out,
         source: source.to_owned(),
         made_by: MADE_BY.to_owned(),
     }

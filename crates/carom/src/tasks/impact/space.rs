@@ -133,6 +133,7 @@ fn figure(
         found: found.collect(),
         stages: Some(report.stages.len()),
         rejected: Some(rejected.collect()),
+        left_out: report.stages.iter().map(|stage| stage.rejected_left_out).sum(),
         source: source.to_owned(),
         made_by: MADE_BY.to_owned(),
     }
