@@ -15,7 +15,11 @@ const BUDGET: (u64, f64) = (20_000, 600.0);
 /// Growth of energy against the largest there was, or the tolerance of the integration where that is more.
 const CLOSE: f64 = 1e-8;
 
-/// Who watches the energy.
+/// Pieces of motion that end at one instant, but for rounding, after which a part has no way on: it strikes at most some tens of times at once.
+const MOST_AT_ONCE: u32 = 1000;
+
+/// Who watches the energy, and that time goes on.
+#[derive(Default)]
 struct Ledger {
     mass: f64,
     inertia: f64,
@@ -24,6 +28,10 @@ struct Ledger {
     floor: f64,
     most: f64,
     growth: f64,
+    /// The last time that was another one [s], how many pieces have ended at it, and how many did at most.
+    instant: f64,
+    at_once: u32,
+    most_at_once: u32,
 }
 
 impl Ledger {
@@ -46,6 +54,11 @@ impl Ledger {
 impl Observer for Ledger {
     fn piece(&mut self, piece: &PieceFacts) {
         self.compare(&piece.start, &piece.end);
+        if piece.end_time > self.instant * (1.0 + 8.0 * f64::EPSILON) {
+            (self.instant, self.at_once) = (piece.end_time, 0);
+        }
+        self.at_once += 1;
+        self.most_at_once = self.most_at_once.max(self.at_once);
     }
 
     fn impact(&mut self, facts: &ImpactFacts, _whole: Option<carom_motion::planar::trace::Impact>) {
@@ -85,7 +98,7 @@ fn judge(feeder: Option<Feeder>, rng: &mut Pcg64, number: u64, tally: &mut Tally
     let body = &feeder.part.body;
     let low = feeder.plates.iter().map(|p| p.edge.y).fold(0.0, f64::min) - body.shape.size();
     let (mass, inertia, gravity) = (body.mass, body.inertia, feeder.gravity);
-    let mut ledger = Ledger { mass, inertia, gravity, floor: low, most: 0.0, growth: 0.0 };
+    let mut ledger = Ledger { mass, inertia, gravity, floor: low, ..Ledger::default() };
     match prepared.observed(&mut ledger) {
         Err(fault) => {
             tally.count(format!("fault: {}", kind_of(&fault.to_string())));
@@ -95,6 +108,9 @@ fn judge(feeder: Option<Feeder>, rng: &mut Pcg64, number: u64, tally: &mut Tally
             tally.count(format!("{:?}", run.outcome));
             // Energy may grow by what the integration's tolerance leaves, and by no more.
             tally.residual("energy gained", ledger.growth, CLOSE.max(tolerance), number);
+            if ledger.most_at_once > MOST_AT_ONCE {
+                tally.breaks("events without end at one instant", number);
+            }
             if !run.end_time.is_finite() || run.margin.is_nan() {
                 tally.breaks("a result that is no number", number);
             }
