@@ -23,7 +23,7 @@ use carom_words::impact::{self, Clock};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Rejected hypotheses that are told: all of four contacts; six have more than a hundred thousand.
+/// Rejected hypotheses that are told: all of four contacts; six have some fifty thousand.
 pub(crate) const MOST_REJECTED: usize = 4096;
 
 /// The staged walk.

@@ -36,20 +36,21 @@ pub(super) fn text(problem: &ImpactProblem, report: &ImpactAnswerReport, certain
     text + &hypotheses_text(consistent.collect(), rejected, report.rejected_left_out)
 }
 
-/// Hypotheses that are consistent and what is said of them, then those that are rejected, a line each; of many the first. So many more are told nowhere.
+/// Hypotheses that are consistent and what is said of them, then those that are rejected, a line each; of many the first. `left_out`
+/// counts those that JSON leaves out too.
 pub(crate) fn hypotheses_text<'a>(
     mut rows: Vec<[String; 2]>,
     rejected: impl ExactSizeIterator<Item = [&'a String; 2]>,
     left_out: usize,
 ) -> String {
-    let told = rejected.len().saturating_sub(MOST_REJECTED);
+    let in_json = rejected.len().saturating_sub(MOST_REJECTED);
     rows.extend(rejected.take(MOST_REJECTED).map(|one| one.map(Clone::clone)));
     let mut text = in_two_columns(&rows, HYPOTHESIS);
     // Writing to a String cannot fail.
-    let _ = match (told + left_out, left_out) {
+    let _ = match (in_json + left_out, left_out) {
         (0, _) => Ok(()),
         (more, 0) => writeln!(text, "  … {more} more rejected, all with --format json"),
-        (more, _) => writeln!(text, "  … {more} more rejected, {told} of them with --format json"),
+        (more, _) => writeln!(text, "  … {more} more rejected, {in_json} of them with --format json"),
     };
     text
 }

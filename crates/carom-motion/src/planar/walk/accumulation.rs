@@ -8,7 +8,7 @@ use crate::planar::contact::{
     touching::{Few, Search},
 };
 use crate::planar::geometry::State;
-use crate::planar::modes::mode::Held;
+use crate::planar::modes::mode::{Acceleration, Held};
 use crate::planar::record::observer::Observers;
 use crate::tolerance::{
     DEEPEST_TOUCH, LATE_SERIES, MOST_SERIES_RATIO, SERIES_LEFT, SLOW_APPROACH, STILL_SPEED, TOUCHING_GAP,
@@ -97,11 +97,15 @@ impl Recent {
 
 impl<const B: usize> Walker<'_, B> {
     /// What is left of the series of rebounds of a struck contact where it is at its limit: this rebound, and all that follow it, are over within a
-    /// negligible time [s]. `kept` are the contacts that the strike leaves closed.
-    pub(super) fn left_at_the_limit(&self, pair: Pairing, rebound: f64, kept: &Few<Held>) -> Option<f64> {
-        // Two bodies fall alike: what brings them together again is what holds them.
-        let falls = self.world.accelerate(kept, &self.states);
-        let bend = self.world.gap_bend(&self.kinematics(pair), pair, &falls);
+    /// negligible time [s]. So the bodies accelerate by the contacts that the strike leaves closed: two bodies fall alike, and what brings them together
+    /// again is what holds them.
+    pub(super) fn left_at_the_limit(
+        &self,
+        pair: Pairing,
+        rebound: f64,
+        rates: &[Acceleration; B],
+    ) -> Option<f64> {
+        let bend = self.world.gap_bend(&self.kinematics(pair), pair, rates);
         let next = -2.0 * rebound / bend;
         if self.is_over_at_once(rebound, bend) { self.recent.left_from(next) } else { None }
     }

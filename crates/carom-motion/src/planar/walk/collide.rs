@@ -284,10 +284,11 @@ impl<const B: usize> Walker<'_, B> {
                 kept.push(Held::slipping(s.pair, *slip, still));
             }
         }
-        let mut left: f64 = 0.0;
+        let (mut left, mut rates) = (0.0_f64, None);
         for (s, [slip, normal]) in struck.iter().zip(strike.after.iter()) {
             if *normal > still {
-                let Some(rest) = self.left_at_the_limit(s.pair, *normal, &kept) else {
+                let rates = rates.get_or_insert_with(|| self.world.accelerate(&kept, &self.states));
+                let Some(rest) = self.left_at_the_limit(s.pair, *normal, rates) else {
                     self.depart(s.pair);
                     continue;
                 };
