@@ -3,7 +3,8 @@
 use carom_impact::Law;
 use carom_motion::MotionError;
 use carom_motion::planar::{
-    Body, ChainPoint, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker, World,
+    Body, ChainPoint, Feature, Happening, Obstacle, Options, Pose, Recorder, Shape, State, Twist, Walker,
+    World,
 };
 use carom_num::Vec2;
 
@@ -70,4 +71,32 @@ fn a_rod_and_a_bent_obstacle_that_are_both_without_thickness_are_refused() {
     let refused = MotionError::BothThin { body: 0, obstacle: 1 };
     assert_eq!(among(&[(-0.1, 0.0), (0.1, 0.0)]), Err(refused));
     assert_eq!(among(&[(-0.1, 0.0), (0.1, 0.0), (0.0, 1e-9)]), Ok(()), "a sliver has an inside");
+}
+
+/// A rod without thickness over the end of a sheet, its front beyond the end and a hair below the sheet's line: it turns about the end, and its rear
+/// strikes the sheet from above after the angle over the spin.
+#[test]
+fn a_rod_that_reaches_below_the_line_of_a_sheet_beyond_its_end_is_still_above_it() {
+    let (spin, half) = (200.0, 0.05);
+    for exponent in 3..10 {
+        for beyond in [0.1, 0.5, 0.9] {
+            let angle = 10f64.powi(-exponent);
+            let sheet = Obstacle::new(Vec2::new(-1.0, 0.0), Vec2::ZERO, 0.0, 0.5);
+            let world = world(&[(-half, 0.0), (half, 0.0)], vec![sheet]);
+            let arm = beyond * half;
+            let along = Vec2::new(1.0, -angle).unit().unwrap();
+            // It turns about the end, and slides back, which lifts it off the end.
+            let velocity = along.turned_left() * (spin * arm) - along * 0.1;
+            let start =
+                State { pose: Pose { centre: along * arm, angle: -angle }, twist: Twist { velocity, spin } };
+            let mut recorder = Recorder::default();
+            begin(&world, start, &mut recorder).unwrap();
+            let impact = &recorder.trace().impacts[0];
+            let Feature::VertexOnFace { vertex: 0, face: Obstacle::LEFT } = impact.contacts[0].feature else {
+                panic!("{angle:e} rad, {beyond}: {impact:#?}")
+            };
+            let late = impact.time * spin / angle - 1.0;
+            assert!(late.abs() < 2.0 * angle + 1e-5, "{angle:e} rad, {beyond}: by {late:e}");
+        }
+    }
 }
