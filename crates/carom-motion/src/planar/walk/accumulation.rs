@@ -62,8 +62,10 @@ impl Recent {
         self.times[..self.len].first().copied()
     }
 
-    pub(super) fn clear(&mut self) {
+    /// A series is over: what follows begins here. A strike at this instant is no rebound of a series, however little it throws up.
+    pub(super) fn begin(&mut self, time: f64) {
         self.len = 0;
+        self.push(time);
     }
 
     /// What is left of a series [s] whose next impact follows after this time, if the intervals after it shrink as this one has. `None` where it has not.
@@ -150,7 +152,6 @@ impl<const B: usize> Walker<'_, B> {
         held: &Few<Held>,
         observers: &mut Observers<'_, B>,
     ) -> Result<Happening, MotionError> {
-        self.recent.clear();
         // A lone body moves in the time that is left as it does from then on: that is what its rebounds come to. Of several, what is not struck may
         // hang on others: they go on as they are.
         let alone = B == 1;
@@ -161,6 +162,7 @@ impl<const B: usize> Walker<'_, B> {
             }
         }
         self.time += series.left;
+        self.recent.begin(self.time);
         self.report_accumulation(series.from, observers);
         self.states = self.projected_onto(&self.states, held);
         self.departing.clear();
@@ -231,6 +233,16 @@ mod tests {
             let slip = world.kinematics(&walker.moved_in(time), pair).slip;
             assert!((slip - left).abs() < 1e-9 * speed, "{time} s: {slip} instead of {left} m/s");
         }
+    }
+
+    #[test]
+    fn a_strike_where_a_series_ends_is_no_rebound_of_it() {
+        let mut recent = Recent::default();
+        recent.push(0.9);
+        assert_eq!(recent.left_from(1e-9), Some(1e-9), "a single rebound that is over at once");
+        recent.begin(1.0);
+        recent.push(1.0);
+        assert_eq!(recent.left_from(1e-9), None, "it would be closed, and strike, without end");
     }
 
     #[test]
