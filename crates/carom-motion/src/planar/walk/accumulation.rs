@@ -24,6 +24,8 @@ const REMEMBERED: usize = 9;
 pub(in crate::planar) struct Recent {
     times: [f64; REMEMBERED],
     len: usize,
+    /// Where the series before them was closed [s], if one was.
+    ended: Option<f64>,
 }
 
 /// A series of impacts about to accumulate.
@@ -50,7 +52,8 @@ impl Recent {
         let mut times: Vec<f64> = a.times[..a.len].iter().chain(&b.times[..b.len]).copied().collect();
         times.sort_by(f64::total_cmp);
         times.dedup();
-        let mut out = Self::default();
+        let ended = [a.ended, b.ended].into_iter().flatten().reduce(f64::max);
+        let mut out = Self { ended, ..Self::default() };
         for time in times {
             out.push(time);
         }
@@ -62,17 +65,17 @@ impl Recent {
         self.times[..self.len].first().copied()
     }
 
-    /// A series is over: what follows begins here. A strike at this instant is no rebound of a series, however little it throws up.
-    pub(super) fn begin(&mut self, time: f64) {
-        self.len = 0;
-        self.push(time);
+    /// A series is over, and its impacts are forgotten. A strike at this instant is no rebound of another one, however little it throws up.
+    pub(super) fn end_series(&mut self, time: f64) {
+        *self = Self { ended: Some(time), ..Self::default() };
     }
 
     /// What is left of a series [s] whose next impact follows after this time, if the intervals after it shrink as this one has. `None` where it has not.
     fn left_from(&self, next: f64) -> Option<f64> {
         let last = match self.times[..self.len] {
             [.., before, now] => now - before,
-            _ => f64::INFINITY,
+            [now] => self.ended.map_or(f64::INFINITY, |ended| now - ended),
+            [] => f64::INFINITY,
         };
         let ratio = next / last;
         (ratio < MOST_SERIES_RATIO).then(|| next / (1.0 - ratio))
@@ -162,7 +165,7 @@ impl<const B: usize> Walker<'_, B> {
             }
         }
         self.time += series.left;
-        self.recent.begin(self.time);
+        self.recent.end_series(self.time);
         self.report_accumulation(series.from, observers);
         self.states = self.projected_onto(&self.states, held);
         self.departing.clear();
@@ -240,7 +243,7 @@ mod tests {
         let mut recent = Recent::default();
         recent.push(0.9);
         assert_eq!(recent.left_from(1e-9), Some(1e-9), "a single rebound that is over at once");
-        recent.begin(1.0);
+        recent.end_series(1.0);
         recent.push(1.0);
         assert_eq!(recent.left_from(1e-9), None, "it would be closed, and strike, without end");
     }
