@@ -144,6 +144,41 @@ fn falls<const N: usize>() -> Vec<spatial::ContactSet<N>> {
     (0..PASS / 10).filter_map(|i| fall(i).ok()).collect()
 }
 
+/// Hexagonal plates that tip over one edge and fall flat on all six corners: each starts to slip from rest.
+fn tips() -> Vec<spatial::ContactSet<6>> {
+    let tip = |i: usize| {
+        let corner = |k: usize| {
+            let (sin, cos) = carom_num::elementary::sin_cos(std::f64::consts::TAU * (k as f64) / 6.0);
+            Vec3::new(cos, sin, -0.2 - 0.3 * spread(7 * i))
+        };
+        let spin = (corner(0) - corner(1)) * (0.5 + spread(11 * i));
+        let body = spatial::RigidBody {
+            mass: 1.0,
+            inertia: Mat3::diagonal(0.2 + 0.1 * spread(3 * i), 0.3, 0.4),
+            velocity: corner(0).cross(spin),
+            spin,
+        };
+        let (normal, friction) = (Vec3::Z, 0.05 + 0.5 * spread(19 * i));
+        let touch = |k: usize| spatial::Touch { arm: corner(k), normal, friction, restitution: 0.5 };
+        let touches: Vec<_> = (0..6).map(touch).collect();
+        spatial::ContactSet::of_free_body(&body, &touches)
+    };
+    (0..PASS / 100).filter_map(|i| tip(i).ok()).collect()
+}
+
+fn time_tips(c: &mut Criterion) {
+    let sets = tips();
+    let mut group = c.benchmark_group("in space, with friction");
+    group.throughput(Throughput::Elements(sets.len() as u64)).sample_size(10);
+    group.bench_function("6 contacts of a face, from rest", |b| {
+        b.iter(|| {
+            let resolve = |set| spatial::staged::resolve(black_box(set), Law::Poisson);
+            sets.iter().map(resolve).filter(Result::is_ok).count()
+        });
+    });
+    group.finish();
+}
+
 fn time_falls<const N: usize>(c: &mut Criterion) {
     let sets = falls::<N>();
     let mut group = c.benchmark_group("in space, with friction");
@@ -161,6 +196,7 @@ fn time_space(c: &mut Criterion) {
     time_falls::<1>(c);
     time_falls::<2>(c);
     time_falls::<4>(c);
+    time_tips(c);
 }
 
 criterion_group!(benches, time_single, time_two, time_end_states, time_space);
