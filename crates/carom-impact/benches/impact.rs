@@ -166,24 +166,15 @@ fn tips() -> Vec<spatial::ContactSet<6>> {
     (0..PASS / 100).filter_map(|i| tip(i).ok()).collect()
 }
 
-fn time_tips(c: &mut Criterion) {
-    let sets = tips();
+/// Walks through impacts in space; the longer they take, the fewer samples.
+fn time_walks<const N: usize>(
+    c: &mut Criterion,
+    (name, samples): (&str, usize),
+    sets: &[spatial::ContactSet<N>],
+) {
     let mut group = c.benchmark_group("in space, with friction");
-    group.throughput(Throughput::Elements(sets.len() as u64)).sample_size(10);
-    group.bench_function("6 contacts of a face, from rest", |b| {
-        b.iter(|| {
-            let resolve = |set| spatial::staged::resolve(black_box(set), Law::Poisson);
-            sets.iter().map(resolve).filter(Result::is_ok).count()
-        });
-    });
-    group.finish();
-}
-
-fn time_falls<const N: usize>(c: &mut Criterion) {
-    let sets = falls::<N>();
-    let mut group = c.benchmark_group("in space, with friction");
-    group.throughput(Throughput::Elements(sets.len() as u64));
-    group.bench_function(format!("{N} contacts"), |b| {
+    group.throughput(Throughput::Elements(sets.len() as u64)).sample_size(samples);
+    group.bench_function(name, |b| {
         b.iter(|| {
             let resolve = |set| spatial::staged::resolve(black_box(set), Law::Poisson);
             sets.iter().filter_map(|set| resolve(set).ok()).map(|out| out.velocity[0].z).sum::<f64>()
@@ -193,10 +184,10 @@ fn time_falls<const N: usize>(c: &mut Criterion) {
 }
 
 fn time_space(c: &mut Criterion) {
-    time_falls::<1>(c);
-    time_falls::<2>(c);
-    time_falls::<4>(c);
-    time_tips(c);
+    time_walks(c, ("1 contacts", 100), &falls::<1>());
+    time_walks(c, ("2 contacts", 100), &falls::<2>());
+    time_walks(c, ("4 contacts", 100), &falls::<4>());
+    time_walks(c, ("6 contacts of a face, from rest", 10), &tips());
 }
 
 criterion_group!(benches, time_single, time_two, time_end_states, time_space);
