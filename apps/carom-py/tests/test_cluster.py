@@ -168,5 +168,6 @@ def test_a_cluster_that_is_closed_is_told(tmp_path: Path) -> None:
 
 def test_the_example_runs(tmp_path: Path) -> None:
     words = [sys.executable, "apps/carom-py/examples/cluster.py", "examples/designer.toml", str(tmp_path)]
-    said = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    assert "'turned'" in said and "shape:" in said, "endings, and a frame of polars"
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "'turned'" in done.stdout and "shape:" in done.stdout, "endings, and a frame of polars"
