@@ -138,6 +138,8 @@ pub struct SolidStrike {
     pub rejected: Vec<[String; 2]>,
     /// Refused states that are not listed.
     pub left_out: usize,
+    /// How contacts share what they carry is open, and the motion depends on it.
+    pub shared: bool,
     /// Moments with several ways on: when, what is followed, and the other ways.
     pub forks: Vec<SolidFork>,
     /// A closed form: its case, what the literature says, how it agrees.

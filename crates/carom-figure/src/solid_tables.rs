@@ -5,6 +5,7 @@ use crate::markup::{Markup, html, table};
 use crate::solid::{SolidContact, SolidFork, SolidSeries, SolidStrike};
 use crate::text::{capitalised, fixed, significant};
 use crate::tolerance::SOLVED;
+use carom_words::roll_space;
 
 /// Strikes shown with their contacts and states.
 const MOST_IN_FULL: usize = 12;
@@ -165,7 +166,10 @@ fn forks(forks: &[SolidFork]) -> Markup {
 fn states(strike: &SolidStrike) -> Markup {
     // A strike with friction is walked through, and has none.
     if strike.found.is_empty() && strike.rejected.is_empty() {
-        return forks(&strike.forks);
+        return html! {
+            @if strike.shared { p.note { (capitalised(roll_space::SHARED)) "." } }
+            (forks(&strike.forks))
+        };
     }
     let words = match strike.found.len() {
         0 => "No state is consistent".to_owned(),

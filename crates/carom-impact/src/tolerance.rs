@@ -191,6 +191,9 @@ pub(crate) const STANDING: f64 = 1e-7;
 pub(crate) const BIRTH: f64 = 1e-12;
 /// A slip that starts at the edge of its cone and has fallen by this in its logarithm does not start [1].
 pub(crate) const FALLEN: f64 = 0.01;
+/// A contact of a face begins or ceases to carry at an event only if its rate is there within this fraction of all rates [1]: an event is found to
+/// some 1e-12 of its stage, and rates are steep where friction nearly jams a face.
+pub(crate) const BARELY_CARRIES: f64 = 1e-6;
 /// An inequality that is met by less than this at the start of a curve is broken only below minus this, in its own units [1]: a hypothesis may be at
 /// its edge by [`SLACK_TOLERANCE`], and rounding must not end its stage at once.
 pub(crate) const AT_EDGE_OF_CURVE: f64 = 1e-10;

@@ -24,6 +24,7 @@ mod rocking_tables;
 mod spatial_account;
 mod spatial_border;
 mod spatial_errata;
+mod spatial_faces;
 mod spatial_four_feet;
 mod spatial_keeping;
 mod spatial_limits;

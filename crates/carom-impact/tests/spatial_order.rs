@@ -1,10 +1,4 @@
-//! Bodies that fall flat on four to six feet while they slide: several ways on are consistent, and which is followed does not hang on how feet are numbered.
-
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a test fails by panicking, and says what it measured"
-)]
+//! Bodies that fall flat on four to six feet while they slide: they have one way on, and it does not hang on how feet are numbered.
 
 use carom_impact::Law;
 use carom_impact::spatial::{ContactSet, Preference, RigidBody, Touch, staged};
@@ -62,7 +56,6 @@ fn after(falling: &Falling, order: &[usize], preference: Preference) -> Option<(
 
 #[test]
 fn bodies_that_fall_flat_do_not_know_how_their_feet_are_numbered() {
-    let mut several = 0;
     for seed in 0..BODIES {
         let falling = falling(seed);
         let n = falling.feet.len();
@@ -80,9 +73,8 @@ fn bodies_that_fall_flat_do_not_know_how_their_feet_are_numbered() {
                     assert!(off < SAME, "seed {seed}, {preference:?}, {order:?}: {a:?} is not {b:?}");
                 }
             }
-            several += usize::from(first.is_some_and(|(_, branches)| branches > 1));
+            let branches = first.map(|(_, branches)| branches);
+            assert_eq!(branches, Some(1), "seed {seed}: how a face shares its load is no way on");
         }
     }
-    println!("{several} of {} impacts had several ways on", 2 * BODIES);
-    assert!(several > 10, "{several}: such are what this is about");
 }

@@ -120,12 +120,7 @@ impl SpatialImpactReport {
         let states = problem.contacts.states_of_keeping();
         let end = answer.outcome.as_ref().ok();
         Self {
-            outcome: Word(match end {
-                None => Conclusion::None,
-                Some(end) if end.branches > 1 => Conclusion::Several,
-                Some(end) if end.forced > 0 => Conclusion::Forced,
-                Some(_) => Conclusion::Unique,
-            }),
+            outcome: Word(end.map_or(Conclusion::None, StagedOutcome::conclusion)),
             examined: end.is_some_and(|end| end.examined),
             law: Word(end.map_or(problem.law, |end| end.law)),
             axes: match (&problem.body, &problem.group) {

@@ -22,6 +22,9 @@ pub fn kept<T: AsRef<str>>(names: &[T], [kept, sliding]: [Supports; 2], touching
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
+/// What is said of a strike whose motion hangs on how its contacts share what they carry.
+pub const SHARED: &str = "with friction the motion depends on how the contacts share the load, which rigid bodies leave open: as long as all slide they share it as equally stiff feet would";
+
 /// What a body does between two events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StageName {

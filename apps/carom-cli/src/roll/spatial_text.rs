@@ -4,10 +4,11 @@ use super::body_text;
 use crate::table::{capitals, fixed};
 use crate::tolerance::PLAIN_FROM;
 use carom::tasks::solid::words::{change, headline, lead, takes};
+use carom_impact::spatial::Freedom;
 use carom_scene::{
     SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollReport, SpatialStrikeReport,
 };
-use carom_words::aligned;
+use carom_words::{aligned, roll_space};
 use std::fmt::Write as _;
 
 /// Strikes in the table, and kinds of strike that are shown with their states.
@@ -191,7 +192,9 @@ fn forks(forks: &[SpatialForkReport]) -> String {
 fn states(strike: &SpatialStrikeReport) -> String {
     // With friction a strike is walked through, and has no states.
     if strike.end_states.is_empty() && strike.rejected.is_empty() {
-        return forks(&strike.forks);
+        let shared = strike.open.0 == Freedom::Motion;
+        let shared = if shared { format!("  {}\n", roll_space::SHARED) } else { String::new() };
+        return shared + &forks(&strike.forks);
     }
     let found = match strike.end_states.len() {
         0 => "no state is consistent".to_owned(),

@@ -450,6 +450,10 @@ class SpatialStrike:
     """False: the least is found over all impulses of which the law leaves the choice."""
     kept: list[str]
     """The contacts that stay on the plane; without friction their velocity is zero after."""
+    open: Literal["nothing", "the rates", "the motion"]
+    """What sharing among the contacts leaves open: where that is the motion, contacts share what they carry by
+    the shortest impulses of which none pulls.
+    """
     outcome: Literal["unique", "several", "none", "forced"]
     """Of the states that the non-sliding law allows, or of the ways through a strike with friction: forced where
     at some stage none was consistent, and the contact that friction drives in was loaded alone.

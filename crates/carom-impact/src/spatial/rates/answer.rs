@@ -136,8 +136,25 @@ pub enum Preference {
 pub(in crate::spatial) enum Member {
     /// The shortest.
     Shortest,
+    /// The shortest of which none pulls: these contacts, one bit each, hold and carry no more than their base loads.
+    Pushing(u32),
     /// The one whose smallest slack is largest.
     Middle,
+}
+
+impl Member {
+    /// The same, where this contact carries something or nothing: at the moment at which that changes rounding must not decide it.
+    pub(in crate::spatial) fn carrying(self, i: usize, carries: bool) -> Self {
+        let idle = match self {
+            Self::Middle => return self,
+            Self::Shortest => 0,
+            Self::Pushing(idle) => idle,
+        };
+        match if carries { idle & !(1 << i) } else { idle | 1 << i } {
+            0 => Self::Shortest,
+            idle => Self::Pushing(idle),
+        }
+    }
 }
 
 /// A consistent hypothesis.
@@ -155,7 +172,8 @@ pub struct Solution<const N: usize> {
     pub margin: f64,
     /// Which inequality that is.
     pub margin_of: Condition,
-    /// What is left open. The shortest rates are taken; where these break a cone, the rates whose smallest slack is largest.
+    /// What is left open. Where nothing sticks the shortest rates of which none pulls are taken; else the shortest, and where these break a cone or pull, the
+    /// rates whose smallest slack is largest.
     pub freedom: Freedom,
     pub(in crate::spatial) member: Member,
 }

@@ -1,7 +1,8 @@
 //! The equations of a hypothesis: where a contact holds or sticks, its velocity does not change that way.
 //!
-//! A single body has six independent rates, so several contacts often leave a family of rates. The shortest member stands for the others: it is what
-//! equal and very small compliances of all contacts make of them, it does not depend on the frame, and it changes steadily with the slips.
+//! A single body has six independent rates, so several contacts often leave a family of rates. The shortest member stands for the others, where nothing
+//! sticks the shortest of which none pulls: it is what equal and very small compliances of all contacts make of them, it does not depend on the frame, and
+//! it changes steadily with the slips.
 
 use super::answer::{Freedom, Guess, Member, Mode};
 use super::rate::RateProblem;
@@ -36,6 +37,19 @@ pub(super) struct Unknowns {
     of: [(usize, usize); MOST],
 }
 
+impl Unknowns {
+    /// True where all of them are rates along normals.
+    fn are_normal(&self) -> bool {
+        self.of[..self.count].iter().all(|(_, axis)| *axis == 2)
+    }
+
+    /// The contacts of some of the unknowns, one bit each.
+    fn contacts(&self, some: u64) -> u32 {
+        let unknowns = self.of[..self.count].iter().enumerate();
+        unknowns.filter(|(place, _)| some & (1 << place) != 0).fold(0, |bits, (_, (i, _))| bits | 1 << i)
+    }
+}
+
 /// What a hypothesis demands of its unknowns.
 struct Equations<const M: usize> {
     matrix: [[f64; M]; M],
@@ -59,28 +73,70 @@ impl<const M: usize> Equations<M> {
 }
 
 impl<const N: usize> Hypothesis<'_, N> {
-    /// The rates that the hypothesis demands, the shortest of a family; `None` where its equations contradict each other.
+    /// The rates that the hypothesis demands; of a family the shortest, and where nothing sticks the shortest of which none pulls, if there is one. `None`
+    /// where its equations contradict each other.
     pub(in crate::spatial) fn rates(&self) -> Option<Found<N>> {
+        self.found(true)
+    }
+
+    /// The rates that the hypothesis demands, the shortest of a family, whether they pull or not.
+    pub(in crate::spatial) fn shortest(&self) -> Option<[Vec3; N]> {
+        Some(self.found(false)?.rates)
+    }
+
+    fn found(&self, pushing: bool) -> Option<Found<N>> {
         let unknowns = self.unknowns();
         match unknowns.count {
-            0..=3 => self.rates_sized::<3>(&unknowns),
-            4..=6 => self.rates_sized::<6>(&unknowns),
-            7..=12 => self.rates_sized::<12>(&unknowns),
-            _ => self.rates_sized::<MOST>(&unknowns),
+            0..=3 => self.found_sized::<3>(&unknowns, pushing),
+            4..=6 => self.found_sized::<6>(&unknowns, pushing),
+            7..=12 => self.found_sized::<12>(&unknowns, pushing),
+            _ => self.found_sized::<MOST>(&unknowns, pushing),
         }
     }
 
-    fn rates_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<Found<N>> {
+    fn found_sized<const M: usize>(&self, unknowns: &Unknowns, pushing: bool) -> Option<Found<N>> {
         let equations = self.equations::<M>(unknowns);
-        let member = Member::Shortest;
+        let mut member = Member::Shortest;
         if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
             return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
         }
         let mut family = equations.solved(unknowns.count)?;
         family.shorten();
+        if pushing && unknowns.are_normal() {
+            // A contact that holds carries its base load at least.
+            let least = unknowns.of.map(|(i, _)| self.problem.base(i));
+            let least = &least[..unknowns.count];
+            let pulls = family.point.iter().zip(least).any(|(x, least)| x < least);
+            if pulls && let Some(above) = family.shortest_above(least) {
+                family.point = above.point;
+                member = Member::Pushing(unknowns.contacts(above.at_least));
+            }
+        }
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
         Some(Found { rates: self.spread(&family.point, unknowns), freedom, member })
+    }
+
+    /// The shortest rates of which these contacts, one bit each, carry no more than their base loads.
+    pub(in crate::spatial) fn rates_without(&self, idle: u32) -> Option<[Vec3; N]> {
+        let unknowns = self.unknowns();
+        let mut equations = self.equations::<MOST>(&unknowns);
+        let carries_least = |(i, axis): (usize, usize)| axis == 2 && idle & (1 << i) != 0;
+        for (place, &(i, axis)) in unknowns.of[..unknowns.count].iter().enumerate() {
+            if carries_least((i, axis)) {
+                let base = self.problem.base(i);
+                for (row, right) in equations.matrix.iter_mut().zip(&mut equations.right) {
+                    *right -= row[place] * base;
+                    row[place] = 0.0;
+                }
+            }
+        }
+        let mut family = equations.solved(unknowns.count)?;
+        family.shorten();
+        for (x, &of) in family.point.iter_mut().zip(&unknowns.of[..unknowns.count]) {
+            *x = if carries_least(of) { self.problem.base(of.0) } else { *x };
+        }
+        Some(self.spread(&family.point, &unknowns))
     }
 
     /// All rates that satisfy the equations, the shortest as the point.

@@ -31,6 +31,8 @@ const MOST_HALVINGS: u32 = 10;
 const TURNS_LITTLE: f64 = 0.945;
 /// Steps around a circle of motions.
 const SCAN: u32 = 96;
+/// Where the first of them begins [steps]: not at the motion that the drive causes, which is often the one that is sought, and lies then on the seam.
+const BEGINS: f64 = 0.37;
 /// Of more motions than a sphere so many are tried, and of these so many are followed.
 const LOOKS: usize = 600;
 const BEST: usize = 40;
@@ -208,7 +210,7 @@ impl<const N: usize> Motions<'_, N> {
     /// Around a circle of motions.
     fn circle(&self, visit: &mut impl FnMut(&Directions<N>)) {
         let at = |turn: f64| {
-            let (sin, cos) = sin_cos(TAU * turn / f64::from(SCAN));
+            let (sin, cos) = sin_cos(TAU * (turn + BEGINS) / f64::from(SCAN));
             self.look(place(Vec3::new(cos, sin, 0.0)))
         };
         for step in 0..SCAN {

@@ -4,8 +4,9 @@
 //! Signorini: `0 ≤ x ⊥ w_n ≥ 0`. Coulomb, with the round cone: `q = −μ r e` where it slips in direction e; at zero slip either it sticks (`w_t = 0`,
 //! `|q| ≤ μ r`) or it starts to slip in the direction of its response, `w_t = λ e` with `λ ≥ 0` and `q = −μ r e`.
 //!
-//! Every hypothesis is tried: open, or held with the slip it has, or at zero slip sticking or starting. Directions of starting slips are the roots of
-//! trigonometric equations: see [`starts`](super::starts) for which of them are found for certain.
+//! Every hypothesis is tried: open, or held with the slip it has, or at zero slip sticking or starting. One that is part of another, see
+//! [`closed`](super::closed), is tried only where no other is consistent. Directions of starting slips are the roots of trigonometric equations: see
+//! [`starts`](super::starts) for which of them are found for certain.
 
 use super::answer::{Answer, Condition, Freedom, Guess, Member, Mode, Solution};
 use super::equations::{Found, Hypothesis};
@@ -18,7 +19,8 @@ use carom_num::{Mat3, Vec3};
 ///
 /// # Limits
 /// Rigid, one friction coefficient a contact. At most [`MOST_EXAMINED`] contacts; of more, or of numbers that are not finite, no solution is found. The work grows
-/// as 2ⁿ with n contacts that slip and as 3ⁿ with n that do not.
+/// as 2ⁿ with n contacts that slip and as 3ⁿ with n that do not; on one plane much less. Contacts that hold more than they must share what they carry by
+/// one rule, which is a choice where [`Freedom::Motion`] says that the motion depends on it.
 ///
 /// # Example
 /// A block of 1 kg at rest on an incline of 3 in 4 (g = 10 m/s²) holds from μ = 3/4 on, and else starts to slip downhill, wherever that is.
@@ -71,6 +73,16 @@ pub(super) enum Search {
     Wide,
 }
 
+/// Whether a hypothesis is asked beside others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Closed {
+    /// It says of all that holds and sticks together that it does.
+    Yes,
+    /// It is part of another one. It is asked only where no other kind is consistent: the one member that stands for all rates of a hypothesis need not be
+    /// where a part of them is.
+    No,
+}
+
 /// What was done with a hypothesis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Tried {
@@ -87,7 +99,7 @@ pub(super) type Rejection = (Condition, f64);
 
 impl<const N: usize> RateProblem<'_, N> {
     /// Tries every hypothesis and returns the solutions whose motions differ. Those in which more than two
-    /// contacts start to slip, or rates stay open meanwhile, are tried only where no other is consistent.
+    /// contacts start to slip, or rates stay open meanwhile, are tried only where no other is consistent; so are those that are part of another.
     ///
     /// # Example
     /// A block of 1 kg that slips along (3, 4)/5 is braked by μg = 5 m/s² against that.
@@ -108,11 +120,12 @@ impl<const N: usize> RateProblem<'_, N> {
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it and its scaled slack to `reject`.
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
         let mut answer = Answer::NONE;
-        for search in [Search::Certain, Search::Pairs, Search::Wide] {
-            if search == Search::Wide && answer.count > 0 {
-                break;
+        for of in [Closed::Yes, Closed::No] {
+            for search in [Search::Certain, Search::Pairs, Search::Wide] {
+                if answer.count == 0 || (of == Closed::Yes && search < Search::Wide) {
+                    self.widen(of, search, &mut answer, reject);
+                }
             }
-            self.widen(search, &mut answer, reject);
         }
         answer
     }
@@ -120,9 +133,11 @@ impl<const N: usize> RateProblem<'_, N> {
     /// The solutions of the first search that finds any; `examined` says whether others may exist.
     pub fn solve_first(&self) -> Answer<N> {
         let mut answer = Answer::NONE;
-        for search in [Search::Certain, Search::Pairs, Search::Wide] {
-            if answer.count == 0 {
-                self.widen(search, &mut answer, &mut |_, _, _| {});
+        for of in [Closed::Yes, Closed::No] {
+            for search in [Search::Certain, Search::Pairs, Search::Wide] {
+                if answer.count == 0 {
+                    self.widen(of, search, &mut answer, &mut |_, _, _| {});
+                }
             }
         }
         answer
@@ -131,7 +146,9 @@ impl<const N: usize> RateProblem<'_, N> {
     /// The first solution of this hypothesis, if it is one of this problem.
     pub(in crate::spatial) fn first_of(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
         let mut found = None;
-        if !(0..self.count).all(|i| self.options(i).any(|option| option == guess[i])) {
+        if !(0..self.count).all(|i| self.options(i).any(|option| option == guess[i]))
+            || !self.is_closed(guess)
+        {
             return found;
         }
         for search in [Search::Certain, Search::Pairs, Search::Wide] {
@@ -146,6 +163,7 @@ impl<const N: usize> RateProblem<'_, N> {
     /// Tries the hypotheses of one search.
     fn widen(
         &self,
+        closed: Closed,
         search: Search,
         answer: &mut Answer<N>,
         reject: &mut impl FnMut(&[Guess; N], Condition, f64),
@@ -155,6 +173,9 @@ impl<const N: usize> RateProblem<'_, N> {
         }
         let scale = self.scale();
         self.each_guess(|guess| {
+            if self.is_closed(guess) != (closed == Closed::Yes) {
+                return;
+            }
             // Of the directions tried, the one that is nearest to being a solution says why there is none.
             let mut nearest: Option<Rejection> = None;
             let mut found = false;
@@ -282,10 +303,12 @@ impl<const N: usize> Hypothesis<'_, N> {
     pub(super) fn judge(&self) -> Result<Solution<N>, Rejection> {
         let found = self.rates().ok_or((Condition::Solvable, -1.0))?;
         self.ask(&found).or_else(|why| {
-            // Where nothing sticks, a contact that would pull is open in another hypothesis. A contact that would leave its cone without moving is in none.
+            // Where nothing sticks, the rates are those of which none pulls. Where something does, a cone may be kept by other rates of the family; what the
+            // motion breaks, only by rates that move the body otherwise.
             let forces = matches!(why.0, Condition::Pushes(_) | Condition::WithinCone(_));
-            let sticks = self.guess.iter().any(|g| g.mode == Mode::Sticks);
-            if found.freedom == Freedom::None || !forces || !sticks {
+            let others =
+                if forces { found.freedom != Freedom::None } else { found.freedom == Freedom::Motion };
+            if !others || !self.guess.iter().any(|g| g.mode == Mode::Sticks) {
                 return Err(why);
             }
             let rates = self.middle().ok_or(why)?;

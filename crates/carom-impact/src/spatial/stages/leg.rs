@@ -23,7 +23,7 @@ pub enum StageEvent {
     Opens(usize),
     /// This contact cannot stick any longer.
     SlipStarts(usize),
-    /// This approaching contact, which others had turned back, takes an impulse as well.
+    /// This contact takes an impulse as well: it approached and others had turned it back, or it touched and others carried for it.
     Loads(usize),
     /// Friction drives the contacts in: no impulse along the slips as they are now ends the approach.
     DrivenIn,
@@ -107,18 +107,45 @@ impl<'a, const N: usize> Leg<'a, N> {
 
     /// The rates with these directions; `None` where nothing can be said.
     pub(super) fn pace(&self, direction: &[[f64; 2]; N]) -> Option<Pace<N>> {
-        let problem = RateProblem {
+        let problem = self.problem(direction);
+        let hypothesis = Hypothesis { problem: &problem, guess: &self.guess, direction: *direction };
+        let rates = match self.member {
+            Member::Shortest => hypothesis.shortest()?,
+            Member::Pushing(idle) => hypothesis.rates_without(idle)?,
+            Member::Middle => hypothesis.middle()?,
+        };
+        self.pace_of(&rates)
+    }
+
+    /// What contact i, which holds and carries no more than its base load, would carry beyond that if it were asked to, at the pace of this clock: below
+    /// zero as long as it would pull.
+    pub(super) fn would_carry(
+        &self,
+        i: usize,
+        idle: u32,
+        direction: &[[f64; 2]; N],
+        clock: f64,
+    ) -> Option<f64> {
+        let problem = self.problem(direction);
+        let hypothesis = Hypothesis { problem: &problem, guess: &self.guess, direction: *direction };
+        let rates = hypothesis.rates_without(idle & !(1 << i))?;
+        Some((rates[i].z - problem.base(i)) * clock)
+    }
+
+    /// The contacts that hold and carry no more than their base loads, one bit each, where contact i is one of them.
+    pub(super) fn idle(&self, i: usize) -> Option<u32> {
+        let Member::Pushing(idle) = self.member else { return None };
+        (idle & (1 << i) != 0).then_some(idle)
+    }
+
+    fn problem(&self, direction: &[[f64; 2]; N]) -> RateProblem<'a, N> {
+        RateProblem {
             count: self.set.count,
             operator: &self.set.operator,
             friction: &self.set.friction,
             drive: self.drive,
             slip: *direction,
             load: self.load,
-        };
-        let hypothesis = Hypothesis { problem: &problem, guess: &self.guess, direction: *direction };
-        match self.member {
-            Member::Shortest => self.pace_of(&hypothesis.rates()?.rates),
-            Member::Middle => self.pace_of(&hypothesis.middle()?),
         }
     }
 
@@ -144,19 +171,22 @@ impl<'a, const N: usize> Leg<'a, N> {
         })
     }
 
+    /// The rates if every slip were turned by the angle of this cosine and sine.
+    pub(super) fn turned(&self, by: [f64; 2]) -> Option<Pace<N>> {
+        let mut direction = self.direction;
+        for i in self.contacts().filter(|&i| self.is_tracked(i)) {
+            let [x, y] = self.direction[i];
+            direction[i] = [x * by[0] - y * by[1], x * by[1] + y * by[0]];
+        }
+        self.pace(&direction)
+    }
+
     /// The same stage with every slip exactly on a line, where the others leave each slipping contact one line only: a contact that slips while
     /// another sticks turns about that one. `None` where a slip may turn. Else rounding across the line would grow without bound relative to a
     /// slip that stops on it.
     pub(super) fn on_lines(&self, from: &Place<N>, now: &Pace<N>) -> Option<Self> {
-        let turned = |by: [f64; 2]| {
-            let mut direction = self.direction;
-            for i in self.contacts().filter(|&i| self.is_tracked(i)) {
-                let [x, y] = self.direction[i];
-                direction[i] = [x * by[0] - y * by[1], x * by[1] + y * by[0]];
-            }
-            self.pace(&direction)
-        };
-        let responses = [now.response, turned([0.6, 0.8])?.response, turned([-0.28, 0.96])?.response];
+        let responses =
+            [now.response, self.turned([0.6, 0.8])?.response, self.turned([-0.28, 0.96])?.response];
         let mut leg = *self;
         for i in self.contacts().filter(|&i| self.is_tracked(i)) {
             let size = |w: &Vec3| w.x * w.x + w.y * w.y;

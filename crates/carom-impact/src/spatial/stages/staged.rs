@@ -20,6 +20,7 @@ use super::leg::StageEvent;
 use super::walk::Walk;
 use crate::Load;
 use crate::spatial::contacts::set::ContactSet;
+use crate::spatial::ends::non_sliding::Conclusion;
 use crate::spatial::rates::answer::{Freedom, Mode, Preference};
 use crate::spatial::rates::rate::RateProblem;
 use crate::{ImpactError, Law, Phase};
@@ -133,6 +134,35 @@ impl<const N: usize> StagedOutcome<N> {
     /// Work of all impulses [J]: what the kinetic energy has changed by.
     pub fn total_work(&self) -> f64 {
         self.work.iter().flatten().sum()
+    }
+
+    /// How many motions the law allows. They are several also where contacts may share what they carry in more than one way, and the motion depends on it.
+    ///
+    /// # Example
+    /// A table on four feet, of which one has less friction, falls flat while it slides and spins.
+    /// ```
+    /// use carom_impact::{Law, spatial::{Conclusion, ContactSet, RigidBody, Touch, staged}};
+    /// use carom_num::{Mat3, Vec3};
+    /// let (velocity, spin) = (Vec3::new(1.0, 0.5, -1.0), Vec3::Z * 2.0);
+    /// let body = RigidBody { mass: 1.0, inertia: Mat3::diagonal(0.2, 0.3, 0.4), velocity, spin };
+    /// let touch = |x: f64, y: f64, friction| {
+    ///     Touch { arm: Vec3::new(x, y, -0.3), normal: Vec3::Z, friction, restitution: 0.0 }
+    /// };
+    /// let feet = [touch(0.5, 0.4, 0.1), touch(-0.5, 0.4, 0.3), touch(-0.5, -0.4, 0.3), touch(0.5, -0.4, 0.3)];
+    /// let of = |feet: &[Touch]| {
+    ///     let set = ContactSet::<4>::of_free_body(&body, feet)?;
+    ///     Ok::<_, carom_impact::ImpactError>(staged::resolve(&set, Law::Poisson)?.conclusion())
+    /// };
+    /// assert_eq!(of(&feet)?, Conclusion::Several);
+    /// assert_eq!(of(&feet[..3])?, Conclusion::Unique, "three feet share a load in one way");
+    /// # Ok::<(), carom_impact::ImpactError>(())
+    /// ```
+    pub fn conclusion(&self) -> Conclusion {
+        match (self.branches > 1 || self.freedom == Freedom::Motion, self.forced) {
+            (true, _) => Conclusion::Several,
+            (_, 0) => Conclusion::Unique,
+            _ => Conclusion::Forced,
+        }
     }
 
     /// The least friction coefficient, the same for all contacts, in whose cones the impulses of the outcome lie: the largest quotient of tangential

@@ -7,7 +7,9 @@ use crate::Load;
 use crate::spatial::contacts::set::ContactSet;
 use crate::spatial::rates::answer::{Answer, Freedom, Guess, Mode, Preference, Solution};
 use crate::spatial::rates::rate::RateProblem;
-use crate::tolerance::{AT_FOLD, AT_REST, NOT_STARTED, STAGE_ZERO, WEDGED_STAGE, WORK_GAINED_IN_SPACE};
+use crate::tolerance::{
+    AT_FOLD, AT_REST, BARELY_CARRIES, NOT_STARTED, STAGE_ZERO, WEDGED_STAGE, WORK_GAINED_IN_SPACE,
+};
 use crate::{ImpactError, Law, Phase};
 use carom_num::Vec3;
 
@@ -33,6 +35,8 @@ pub(super) struct Walk<'a, const N: usize> {
     present: Option<[Mode; N]>,
     /// The hypothesis that the last event leads to.
     led_to: Option<[Guess; N]>,
+    /// A contact of a face that has just ceased to carry, or begun to.
+    carries: Option<(usize, bool)>,
     /// A contact that neither sticks nor starts to slip any longer, though at the edge of its cone both are consistent.
     folded: Option<usize>,
     stages: usize,
@@ -65,6 +69,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             preference,
             present: None,
             led_to: None,
+            carries: None,
             folded: None,
             stages: 0,
             branches: 1,
@@ -113,11 +118,23 @@ impl<'a, const N: usize> Walk<'a, N> {
         let answer = problem.solve_first();
         // At an edge two hypotheses are one motion, and the one that the event leads to goes on.
         let led = self.led_to.take().and_then(|guess| problem.first_of(&guess));
+        let carries = self.carries.take().filter(|_| led.is_none());
         let solution = led.or_else(|| self.preferred(&answer))?;
         self.branches = self.branches.max(answer.count);
         self.examined &= answer.examined;
         self.margin = self.margin.min(solution.margin);
-        Some((self.leg_of(&solution, drive, load, goal), solution))
+        let leg = self.leg_of(&solution, drive, load, goal);
+        // What has just changed in how a face shares its load stays so, though at this instant both ways are one.
+        let shared = carries.filter(|&(i, _)| {
+            let all: f64 = solution.rates.iter().map(|p| p.z).sum();
+            let barely = solution.rates[i].z - problem.base(i) <= BARELY_CARRIES * all;
+            let sticks = solution.guess.iter().any(|g| g.mode == Mode::Sticks);
+            barely && !sticks && solution.freedom != Freedom::None && solution.guess[i].holds
+        });
+        let changed = shared.map(|(i, carries)| Leg { member: leg.member.carrying(i, carries), ..leg });
+        // Where too few are left to hold the face, they do so at this instant alone.
+        let changed = changed.filter(|leg| leg.turned([0.6, 0.8]).is_some());
+        Some((changed.unwrap_or(leg), solution))
     }
 
     /// The leg beyond a fold, where sticking and starting to slip have become one and end: the solution that is farthest from being rejected, if it is not
@@ -196,7 +213,17 @@ impl<'a, const N: usize> Walk<'a, N> {
             }
             _ => None,
         };
-        self.led_to = led_to(&solution.guess, walked.event, &self.place.at);
+        let mut guess = solution.guess;
+        if matches!(walked.event, StageEvent::Opens(_)) {
+            // With it those open that carry nothing, if it is not the whole face that goes on.
+            self.contacts().filter(|&i| leg.idle(i).is_some()).for_each(|i| guess[i] = Guess::OPEN);
+        }
+        self.led_to = led_to(&guess, walked.event, &self.place.at);
+        self.carries = match walked.event {
+            StageEvent::Opens(i) => Some((i, false)),
+            StageEvent::Loads(i) if leg.idle(i).is_some() => Some((i, true)),
+            _ => None,
+        };
         for i in self.contacts() {
             let works = self.place.work[i].iter().zip(&from.work[i]);
             self.work_terms += works.map(|(now, before)| (now - before).abs()).sum::<f64>();

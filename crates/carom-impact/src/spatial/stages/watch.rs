@@ -8,7 +8,7 @@ use crate::tolerance::{AT_EDGE_OF_CURVE, CLOCK_HELD_UP, TOUCHING_EDGE};
 use carom_num::ode8::Vector;
 use carom_num::{Mat3, Vec3};
 
-/// Event functions of a contact: it closes, it pushes, it sticks, it is turned back by others, it owes work.
+/// Event functions of a contact: it closes, it pushes, it sticks, others turn it back or carry for it, it owes work.
 pub(super) const OF_CONTACT: usize = 5;
 
 /// Event functions, all scaled: those of each contact, and the goal and the clock.
@@ -62,11 +62,15 @@ impl<const N: usize> Curve<'_, N> {
 
     /// All event functions; `None` where the rates are not known.
     pub(super) fn watch(&self, y: &State<N>) -> Option<Watch<N>> {
-        let now = self.leg.pace(&self.directions(y))?;
+        let direction = self.directions(y);
+        let now = self.leg.pace(&direction)?;
         let (normal, clock) = (self.normal(y), y[0][CLOCK]);
         let mut out = Watch { contact: [[1.0; OF_CONTACT]; N], common: [1.0; 2] };
         for i in self.leg.contacts() {
             out.contact[i] = self.watch_contact(i, &now, normal[i], clock);
+            if let Some(idle) = self.leg.idle(i) {
+                out.contact[i][3] = -self.leg.would_carry(i, idle, &direction, now.clock)?;
+            }
             if let Goal::Work(end) = self.leg.goal
                 && end[i].is_finite()
             {

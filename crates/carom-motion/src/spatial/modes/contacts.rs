@@ -5,7 +5,7 @@ use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
 use crate::spatial::terms::Choice;
-use carom_impact::spatial::{Conclusion, ContactSet, Touch};
+use carom_impact::spatial::{Conclusion, ContactSet, Freedom, Touch};
 use carom_num::Vec3;
 use carom_num::cones::narrowest;
 
@@ -29,6 +29,8 @@ pub(in crate::spatial) struct Way {
     /// Impulses or forces on the supports that were asked about, world axes.
     pub(in crate::spatial) pushes: Vec<(usize, Vec3)>,
     pub(in crate::spatial) friction_demand: f64,
+    /// What sharing among the supports leaves open.
+    pub(in crate::spatial) open: Freedom,
 }
 
 /// How many ways there are, in a word.
@@ -116,6 +118,7 @@ impl Question<'_> {
                 .map(|(k, i)| (i, set.frame[k].transposed() * s.impulse[k]))
                 .collect(),
             friction_demand: narrowest(&s.impulse, &s.free),
+            open: if s.free.is_empty() { Freedom::None } else { Freedom::Rates },
         });
         Ok(Answer { conclusion, way })
     }

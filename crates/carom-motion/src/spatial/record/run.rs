@@ -4,7 +4,7 @@ use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::mode::Mode;
 use crate::spatial::terms::Effort;
-use carom_impact::spatial::Conclusion;
+use carom_impact::spatial::{Conclusion, Freedom};
 use carom_num::{Rotation, Vec3};
 
 /// An impact.
@@ -53,6 +53,9 @@ pub struct Impact {
     /// The least friction coefficient with which no contact slides. Of a family of impulses it is that of the member which needs least; with friction in the
     /// world, that of these impulses.
     pub friction_demand: f64,
+    /// What sharing among the supports leaves open. Where that is the motion, the impulses are one choice: at each moment the shortest of which none pulls,
+    /// as equal and very small compliances make them, or, where supports stick, the shortest if these keep within the cones, else those deepest within them.
+    pub open: Freedom,
     /// How many different motions the law allows: of several, [`crate::spatial::terms::Options::choice`] has chosen.
     pub conclusion: Conclusion,
 }

@@ -6,7 +6,7 @@ use super::strike::pushed;
 use super::walker::{Walker, without_way};
 use crate::MotionError;
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::modes::contacts::{Answer, Conclusive, Way};
+use crate::spatial::modes::contacts::{Answer, Way};
 use crate::spatial::modes::frictional::frictional_contacts;
 use crate::spatial::modes::grip::MOST_BEARING;
 use crate::spatial::modes::mode::Mode;
@@ -115,11 +115,8 @@ impl Walker<'_> {
             sliding: touching.iter().enumerate().filter(stays).filter(slides).map(|(_, i)| i).collect(),
             pushes: touching.iter().enumerate().map(of).collect(),
             friction_demand: out.friction_demand(),
+            open: out.freedom,
         };
-        let conclusion = match out.branches.conclusion() {
-            Conclusion::Unique if out.forced > 0 => Conclusion::Forced,
-            conclusion => conclusion,
-        };
-        Ok(Answer { conclusion, way: Some(way) })
+        Ok(Answer { conclusion: out.conclusion(), way: Some(way) })
     }
 }

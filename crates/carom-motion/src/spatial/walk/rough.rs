@@ -72,11 +72,7 @@ impl Walker<'_> {
         if !asked.is_empty() {
             self.settle_rough(asked)?;
             self.effort.questions += 1;
-            let goes_on = self.goes_on(asked);
-            let (conclusion, way) = match goes_on {
-                Some(way) => (Conclusion::Unique, Some(way)),
-                None => self.ask_rough(asked)?,
-            };
+            let (conclusion, way) = self.ask_rough(asked)?;
             match (way, conclusion, self.options.choice) {
                 (_, Conclusion::Several, Choice::End) => return Ok(Some(End::Several(Clock::Motion))),
                 (Some(way), ..) => carries = way,
@@ -170,60 +166,6 @@ impl Walker<'_> {
             gravity + turning.cross(arm) + spin.cross(spin.cross(arm))
         };
         asked.iter().map(of).collect()
-    }
-
-    /// More supports slide than determine their forces: they all carry the body, as evenly as they can. A support that would have to pull carries
-    /// nothing.
-    fn goes_on(&self, asked: Supports) -> Option<Carries> {
-        let body = self.world.body();
-        let rank = match BodyMode::holding(body, asked) {
-            BodyMode::Edge { .. } => 2,
-            BodyMode::Rest { .. } => 3,
-            _ => return None,
-        };
-        let friction = self.world.friction()?;
-        let mut left = asked;
-        while left.len() > rank && spanned(body, left) == spanned(body, asked) {
-            let slips: Vec<Vec3> = left.iter().map(|i| self.slip_of(i)).collect();
-            // Two supports that stick share the friction along the line between them, and no law says how.
-            if slips.iter().filter(|slip| **slip == Vec3::ZERO).count() > 1 {
-                return None;
-            }
-            let drives = self.free_accelerations(left);
-            let state = &self.state;
-            let bearing = |((i, slip), drive): ((usize, &Vec3), &Vec3)| Bearing {
-                arm: body.supports()[i],
-                friction: friction.coefficient(i),
-                sticks: *slip == Vec3::ZERO,
-                toward: state.attitude.undo(slip.unit().unwrap_or(Vec3::ZERO)),
-                drive: *drive,
-            };
-            let bearings: Vec<Bearing> = left.iter().zip(&slips).zip(&drives).map(bearing).collect();
-            let axes = [state.attitude.undo(Vec3::X), state.attitude.undo(Vec3::Y)];
-            let up = state.up();
-            let reactions = Grip { body, up, axes, bearings: &bearings }.reactions()?;
-            let least =
-                (0..bearings.len()).min_by(|a, b| reactions.normals[*a].total_cmp(&reactions.normals[*b]));
-            let least = least.filter(|k| reactions.normals[*k] <= 0.0);
-            // Without the one that would have to pull the others carry more: they are asked again.
-            if let Some(k) = least {
-                left = left.difference(Supports::one(left.iter().nth(k)?));
-                continue;
-            }
-            let outside = bearings.iter().zip(&reactions.forces).any(|(b, force)| {
-                let normal = force.dot(up);
-                let across = (*force - up * normal).norm();
-                b.sticks && across > (1.0 + INSIDE_CONE) * b.friction * normal
-            });
-            let (sticking, slipping): (Vec<usize>, Vec<usize>) =
-                left.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
-            return (!outside).then(|| Carries {
-                sticking: sticking.into_iter().collect(),
-                slipping: slipping.into_iter().collect(),
-                leads: vec![],
-            });
-        }
-        None
     }
 
     fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {

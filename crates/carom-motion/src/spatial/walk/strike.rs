@@ -169,6 +169,7 @@ impl Walker<'_> {
             potential: before.potential(self.world),
             impulses: way.pushes,
             friction_demand: way.friction_demand,
+            open: way.open,
             conclusion,
         };
         let seen = self.observer.impact(&impact);

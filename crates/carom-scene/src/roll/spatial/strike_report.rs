@@ -8,7 +8,7 @@ use super::rough_strike;
 use super::states::{Fails, States, states, touching_at};
 use crate::word::Word;
 use carom_impact::Phase;
-use carom_impact::spatial::{Conclusion, Mode};
+use carom_impact::spatial::{Conclusion, Freedom, Mode};
 use carom_motion::spatial::{Clock, End, State, Supports};
 use carom_num::Vec3;
 use carom_words::roll_space::{self, PointState};
@@ -132,6 +132,8 @@ pub struct SpatialStrikeReport {
     pub rejected: Vec<SpatialRejectedReport>,
     /// Refused states that are not listed.
     pub rejected_left_out: usize,
+    /// What sharing among the contacts leaves open: where that is the motion, one sharing was chosen, and others are as consistent.
+    pub open: Word<Freedom>,
     /// With friction: where the walk through the strike had several ways on.
     pub forks: Vec<SpatialForkReport>,
     /// The least friction coefficient with which no contact slides; null where none suffices, where there is no way on, or where contacts may slide.
@@ -189,6 +191,7 @@ pub(super) fn strike_report(
         kept: problem.names_of(impact.kept),
         friction_demand: finite(impact.friction_demand).filter(|_| !rough),
         friction_is_bound: false,
+        open: Word(impact.open),
         velocity_m_s: Some(strike.after.velocity.to_array()),
         spin_rad_s: Some(impact.spin_after.to_array()),
         energy_after: Some(impact.kinetic_after),
@@ -264,6 +267,11 @@ fn unresolved(
         end_states: ends.collect(),
         rejected: rejected.collect(),
         rejected_left_out: states.left_out,
+        // Several motions without several ways on: those of one load that can be shared otherwise.
+        open: Word(match (problem.world.friction().is_some(), states.conclusion) {
+            (true, Conclusion::Several) if states.forks.is_empty() => Freedom::Motion,
+            _ => Freedom::None,
+        }),
         forks: states.forks.clone(),
         friction_demand: None,
         friction_is_bound: false,

@@ -56,9 +56,12 @@ pub fn verdict(report: &SpatialImpactReport) -> String {
 
 /// How many ways on there were, and by which law.
 pub fn lead(report: &SpatialImpactReport) -> String {
+    // Of several ways on a stage names each; a load that can be shared otherwise is one way.
+    let shares = report.stages.iter().all(|stage| stage.ways_on.len() <= 1);
     let ways = match report.outcome.as_str() {
         "unique" if !report.examined => "one way on was found at every stage; others may exist",
         "unique" => "one way on at every stage",
+        "several" if shares => "how contacts share the load is open: other sharings leave other motions",
         "several" => "several ways on, of which one was chosen",
         _ => "no way on",
     };

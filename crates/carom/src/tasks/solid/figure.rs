@@ -6,6 +6,7 @@ use carom_figure::{
     SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,
     SolidStrike,
 };
+use carom_impact::spatial::Freedom;
 use carom_motion::spatial::{Mode, State};
 use carom_scene::{
     SpatialContactReport, SpatialForkReport, SpatialRollProblem, SpatialRollRun, SpatialStrikeReport,
@@ -121,6 +122,7 @@ fn strike(strike: &SpatialStrikeReport) -> SolidStrike {
         found: states.collect(),
         rejected: strike.rejected.iter().map(|r| [r.hypothesis.clone(), r.because.clone()]).collect(),
         left_out: strike.rejected_left_out,
+        shared: strike.open.0 == Freedom::Motion,
         forks: strike.forks.iter().map(fork).collect(),
         closed_form: strike.closed_form.as_ref().map(|form| {
             let verdict = if form.agrees { "agrees" } else { "differs" };

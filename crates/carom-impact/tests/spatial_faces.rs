@@ -1,0 +1,132 @@
+//! Contacts of one face: how they share what they carry, and that they have one way on.
+
+use carom_impact::Load;
+use carom_impact::spatial::{ContactSet, Freedom, Mode, RateProblem, RigidBody, Touch};
+use carom_num::elementary::sin_cos;
+use carom_num::{Mat3, Vec3};
+
+/// Feet at these places on one plane, from below the mass centre [m].
+fn standing<const N: usize>(feet: [[f64; 2]; N], friction: f64) -> ContactSet<N> {
+    let inertia = Mat3::diagonal(0.3, 0.4, 0.5);
+    let body = RigidBody { mass: 1.0, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+    let touch =
+        |[x, y]: [f64; 2]| Touch { arm: Vec3::new(x, y, -0.2), normal: Vec3::Z, friction, restitution: 0.0 };
+    ContactSet::of_free_body(&body, &feet.map(touch)).unwrap()
+}
+
+/// Normal forces under a weight of 1 N, and what they leave open.
+fn carried<const N: usize>(set: &ContactSet<N>, slip: [[f64; 2]; N]) -> ([f64; N], Freedom) {
+    let problem = RateProblem {
+        count: N,
+        operator: &set.operator,
+        friction: &set.friction,
+        drive: [Vec3::Z * -1.0; N],
+        slip,
+        load: [Load::Touching(0.0); N],
+    };
+    let answer = problem.solve();
+    assert_eq!(answer.count, 1, "one motion: {answer:?}");
+    let solution = answer.solutions[0].unwrap();
+    (solution.rates.map(|p| p.z), solution.freedom)
+}
+
+/// Feet of equal stiffness carry in proportion to how far each sinks in: `1/3 + x/2 · foot`, and from `x = 2/3` on the far one would pull, so that two
+/// feet carry by the lever alone.
+#[test]
+fn of_three_feet_in_a_row_none_pulls() {
+    for step in 0..=20 {
+        let x = f64::from(step) / 20.0;
+        let set = standing([-1.0, 0.0, 1.0].map(|foot| [foot - x, 0.0]), 0.0);
+        let (forces, freedom) = carried(&set, [[0.0; 2]; 3]);
+        let expected = if x < 2.0 / 3.0 {
+            [-1.0, 0.0, 1.0].map(|foot| 1.0 / 3.0 + 0.5 * x * foot)
+        } else {
+            [0.0, 1.0 - x, x]
+        };
+        let off = forces.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-13, "weight at {x}: {forces:?} instead of {expected:?}");
+        assert_eq!(freedom, Freedom::Rates, "weight at {x}");
+    }
+}
+
+/// A face that slides without turning feels one force at its pressure's centre, `N μ` against the slip: the motion does not depend on how its feet share.
+#[test]
+fn a_face_that_slides_straight_carries_at_one_place() {
+    let (friction, height) = (0.3, 0.2);
+    let feet = [[0.5, 0.4], [-0.3, 0.6], [-0.6, -0.2], [0.1, -0.5], [0.7, -0.1], [-0.1, 0.1]];
+    let set = standing(feet, friction);
+    let (forces, freedom) = carried(&set, [[1.0, 0.0]; 6]);
+    let sum = |by: fn(&[f64; 2]) -> f64| forces.iter().zip(&feet).map(|(n, foot)| n * by(foot)).sum::<f64>();
+    let centre = [sum(|_| 1.0), sum(|foot| foot[0]), sum(|foot| foot[1])];
+    // Friction below the mass centre presses the front.
+    let expected = [1.0, friction * height, 0.0];
+    let off = centre.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-13 && forces.iter().all(|n| *n >= 0.0), "{forces:?}: {centre:?}");
+    assert_eq!(freedom, Freedom::Rates);
+}
+
+/// A plate on feet all around it, its weight beyond half of them: one face, one motion, whichever foot is named first.
+#[test]
+fn hypotheses_that_say_the_same_of_a_face_are_asked_once() {
+    let feet = [[0.9, 0.1], [0.5, 0.8], [-0.4, 0.9], [-0.9, 0.1], [-0.5, -0.8], [0.4, -0.9]];
+    let moved = feet.map(|[x, y]| [x - 0.6, y]);
+    let set = standing(moved, 0.5);
+    let (mut asked, mut holding) = (0, vec![]);
+    let problem = RateProblem {
+        count: 6,
+        operator: &set.operator,
+        friction: &set.friction,
+        drive: [Vec3::Z * -1.0; 6],
+        slip: [[0.0; 2]; 6],
+        load: [Load::Touching(0.0); 6],
+    };
+    let answer = problem.solve_observed(&mut |guess, _, _| {
+        asked += 1;
+        holding.push(guess.iter().filter(|g| g.mode != Mode::Open).count());
+    });
+    assert_eq!(answer.count, 1, "it rests: {answer:?}");
+    assert!(holding.iter().all(|n| *n <= 2 || *n == 6), "corners, edges and the whole: {holding:?}");
+    // Nothing: 1; corners: 6 · 2; edges and diagonals: 15 · 4; the whole, of which one sticks: 6. Beside a solution slips that all start are not looked for.
+    assert_eq!(asked, 1 + 12 + 60 + 6, "of 729, beside the one in which all stick");
+}
+
+/// A bar in an inclined V groove of a right angle: each side carries √½ of what presses it in, and it starts to slide along the groove with
+/// `g (sin α − √2 μ cos α)`, all of its contacts together.
+#[test]
+fn a_bar_starts_to_slide_along_a_groove() {
+    let (friction, slope) = (0.05, 0.5);
+    let c = 0.5_f64.sqrt();
+    let body = RigidBody {
+        mass: 1.0,
+        inertia: Mat3::diagonal(0.09, 0.01, 0.09),
+        velocity: Vec3::ZERO,
+        spin: Vec3::ZERO,
+    };
+    let touch = |[side, y]: [f64; 2]| Touch {
+        arm: Vec3::new(0.1 * side * c, y, -0.1 * c),
+        normal: Vec3::new(-side * c, 0.0, c),
+        friction,
+        restitution: 0.0,
+    };
+    let places = [[1.0, -0.5], [-1.0, -0.5], [1.0, 0.0], [-1.0, 0.0], [1.0, 0.5], [-1.0, 0.5]];
+    let set: ContactSet<6> = ContactSet::of_free_body(&body, &places.map(touch)).unwrap();
+    let (sin, cos) = sin_cos(slope);
+    let weight = Vec3::new(0.0, sin, -cos) * 9.81;
+    let problem = RateProblem {
+        count: 6,
+        operator: &set.operator,
+        friction: &set.friction,
+        drive: set.frame.map(|frame| frame * weight),
+        slip: [[0.0; 2]; 6],
+        load: [Load::Touching(0.0); 6],
+    };
+    let answer = problem.solve_first();
+    assert_eq!(answer.count, 1, "{answer:?}");
+    let solution = answer.solutions[0].unwrap();
+    assert_eq!(solution.guess.map(|g| g.mode), [Mode::Starts; 6], "all of it slides");
+    let expected = 9.81 * (sin - 2.0_f64.sqrt() * friction * cos);
+    for (i, response) in solution.response.iter().enumerate() {
+        let along = (set.frame[i].transposed() * *response).y;
+        assert!((along - expected).abs() < 1e-12, "contact {i}: {along} instead of {expected}");
+    }
+}
