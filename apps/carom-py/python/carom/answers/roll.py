@@ -451,8 +451,8 @@ class SpatialStrike:
     kept: list[str]
     """The contacts that stay on the plane; without friction their velocity is zero after."""
     open: Literal["nothing", "the rates", "the motion"]
-    """What sharing among the contacts leaves open: where that is the motion, contacts share what they carry by
-    the shortest impulses of which none pulls.
+    """What sharing among the contacts leaves open: where that is the motion, one sharing was chosen, and others
+    are as consistent.
     """
     outcome: Literal["unique", "several", "none", "forced"]
     """Of the states that the non-sliding law allows, or of the ways through a strike with friction: forced where
