@@ -23,7 +23,7 @@ pub fn kept<T: AsRef<str>>(names: &[T], [kept, sliding]: [Supports; 2], touching
 }
 
 /// What is said of a strike whose motion hangs on how its contacts share what they carry.
-pub const SHARED: &str = "with friction the motion depends on how the contacts share the load, which rigid bodies leave open: as long as all slide they share it as equally stiff feet would";
+pub const SHARED: &str = "with friction the motion depends on how the contacts share the load, which rigid bodies leave open: one way is followed, others are as consistent";
 
 /// What a body does between two events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -179,7 +179,7 @@ pub struct Solution<const N: usize> {
 }
 
 impl<const N: usize> Solution<N> {
-    /// The length of all rates: equal and very small compliances of the contacts make it as short as it can be.
+    /// The length of all rates.
     fn length(&self) -> f64 {
         self.rates.iter().map(|rate| rate.dot(*rate)).sum::<f64>().sqrt()
     }

@@ -1,8 +1,8 @@
 //! The equations of a hypothesis: where a contact holds or sticks, its velocity does not change that way.
 //!
 //! A single body has six independent rates, so several contacts often leave a family of rates. The shortest member stands for the others, where nothing
-//! sticks the shortest of which none pulls: it is what equal and very small compliances of all contacts make of them, it does not depend on the frame, and
-//! it changes steadily with the slips.
+//! sticks the shortest of which none pulls: it does not depend on the frame, and it changes steadily with the slips. Without friction, and where all
+//! contacts have one friction and slide one way, it is what equal and very small compliances of all contacts make of them.
 
 use super::answer::{Freedom, Guess, Member, Mode};
 use super::rate::RateProblem;

@@ -54,7 +54,7 @@ pub struct Impact {
     /// world, that of these impulses.
     pub friction_demand: f64,
     /// What sharing among the supports leaves open. Where that is the motion, the impulses are one choice: at each moment the shortest of which none pulls,
-    /// as equal and very small compliances make them, or, where supports stick, the shortest if these keep within the cones, else those deepest within them.
+    /// or, where supports stick, the shortest if these keep within the cones, else those deepest within them.
     pub open: Freedom,
     /// How many different motions the law allows: of several, [`crate::spatial::terms::Options::choice`] has chosen.
     pub conclusion: Conclusion,
