@@ -4,6 +4,7 @@ use carom_impact::Load;
 use carom_impact::spatial::{ContactSet, Freedom, Mode, RateProblem, RigidBody, Touch};
 use carom_num::elementary::sin_cos;
 use carom_num::{Mat3, Vec3};
+use carom_theory::spatial::ThreeFeet;
 
 /// Feet at these places on one plane, from below the mass centre [m].
 fn standing<const N: usize>(feet: [[f64; 2]; N], friction: f64) -> ContactSet<N> {
@@ -47,6 +48,36 @@ fn of_three_feet_in_a_row_none_pulls() {
         assert!(off < 1e-13, "weight at {x}: {forces:?} instead of {expected:?}");
         assert_eq!(freedom, Freedom::Rates, "weight at {x}");
     }
+}
+
+/// Feet that slide along their row, each with a friction of its own, share as equal springs: in proportion to how far the body sinks in, whatever friction
+/// does to a push.
+#[test]
+fn feet_of_different_friction_share_as_equal_springs() {
+    let mut lifted = 0;
+    for step in 0..100 {
+        let part = |n: u32| f64::from(step * n % 101) / 101.0;
+        let (ahead, friction) = (1.6 * part(37) - 0.8, [0.9 * part(13), 0.9 * part(29), 0.9 * part(71)]);
+        let expected = ThreeFeet { apart: 1.0, ahead, height: 0.2, friction }.carried().unwrap();
+        let body = RigidBody {
+            mass: 1.0,
+            inertia: Mat3::diagonal(0.3, 0.4, 0.5),
+            velocity: Vec3::ZERO,
+            spin: Vec3::ZERO,
+        };
+        let touch = |k: usize| Touch {
+            arm: Vec3::new([-1.0, 0.0, 1.0][k] - ahead, 0.0, -0.2),
+            normal: Vec3::Z,
+            friction: friction[k],
+            restitution: 0.0,
+        };
+        let set = ContactSet::<3>::of_free_body(&body, &[touch(0), touch(1), touch(2)]).unwrap();
+        let (forces, _) = carried(&set, [[1.0, 0.0]; 3]);
+        let off = forces.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-13, "{friction:?} at {ahead}: {forces:?} instead of {expected:?}");
+        lifted += u32::from(expected.iter().any(|n| *n == 0.0));
+    }
+    assert!(lifted > 3, "{lifted} of 100 stand on two");
 }
 
 /// A face that slides without turning feels one force at its pressure's centre, `N μ` against the slip: the motion does not depend on how its feet share.

@@ -1,9 +1,5 @@
 //! A linear programme of a few variables: the point whose smallest slack is largest.
 
-mod nearest;
-
-pub use nearest::Nearest;
-
 use crate::tolerance::PIVOT;
 
 /// Pivots after which the present vertex is taken: a guard against rounding that cycles.

@@ -1,7 +1,5 @@
 //! Small dense linear systems, rank-deficient ones included.
 
-use crate::slack::Slacks;
-
 /// The solutions of a small linear system: a point, and the directions along which the solution is free.
 ///
 /// # Example
@@ -19,15 +17,6 @@ pub struct Solutions<const M: usize> {
     pub free: [[f64; M]; M],
     /// How many of `free` count.
     pub freedom: usize,
-}
-
-/// The shortest of solutions whose entries have a least.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Above<const M: usize> {
-    /// The solution.
-    pub point: [f64; M],
-    /// The entries that would be less in a shorter one, one bit each: they are at their least. They are no more than the directions that are free.
-    pub at_least: u64,
 }
 
 /// What counts as zero where equations may depend on each other.
@@ -89,43 +78,6 @@ impl<const M: usize> Solutions<M> {
             let along = dot(point, direction);
             point.iter_mut().zip(&*direction).for_each(|(p, d)| *p -= along * d);
         }
-    }
-
-    /// The shortest of all solutions whose first entries are at least these; `None` where there is none. The solutions must be as
-    /// [`Solutions::shorten`] leaves them.
-    ///
-    /// With orthonormal directions F, the shortest point p and the least entries b it is `x = p + F z` for the z of least size with `x ≥ b`.
-    ///
-    /// # Example
-    /// x + 2 y + 2 z = 9 and x = z + 3: of the line (3, 3, 0) + t (1, −1.5, 1) the point nearest to the origin is not negative.
-    /// ```
-    /// use carom_num::solve::{Tolerance, solve_rows};
-    /// let line = |right: f64| {
-    ///     let mut rows = [[1.0, 2.0, 2.0], [1.0, 0.0, -1.0]];
-    ///     let mut line = solve_rows(&mut rows, &mut [9.0, right], 3, Tolerance::of(1e-12))?;
-    ///     line.shorten();
-    ///     line.shortest_above(&[0.0; 3]).map(|found| found.point)
-    /// };
-    /// let near = |x: [f64; 3], y: [f64; 3]| x.iter().zip(y).all(|(x, y)| (x - y).abs() < 1e-14);
-    /// assert!(line(3.0).is_some_and(|x| near(x, [3.0 + 6.0 / 17.0, 3.0 - 9.0 / 17.0, 6.0 / 17.0])));
-    /// assert!(line(9.0).is_some_and(|x| near(x, [9.0, 0.0, 0.0])), "on from there it would pull");
-    /// assert_eq!(line(10.0), None);
-    /// ```
-    pub fn shortest_above(&self, least: &[f64]) -> Option<Above<M>> {
-        let mut slacks = Slacks::<M>::of(self.freedom);
-        for (i, least) in least.iter().enumerate() {
-            slacks.push(self.point[i] - least, |d| self.free[d][i]);
-        }
-        let nearest = slacks.nearest()?;
-        let mut point = self.point;
-        for (along, direction) in nearest.point.iter().zip(&self.free[..self.freedom]) {
-            point.iter_mut().zip(direction).for_each(|(x, d)| *x += along * d);
-        }
-        let at_least = |i: usize| nearest.kept_by & (1 << i) != 0;
-        for (i, (x, least)) in point.iter_mut().zip(least).enumerate() {
-            *x = if at_least(i) { *least } else { x.max(*least) };
-        }
-        Some(Above { point, at_least: nearest.kept_by })
     }
 }
 

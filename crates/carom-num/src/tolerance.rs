@@ -14,11 +14,6 @@ pub(crate) const LEMKE_COVERED: f64 = 1e-11;
 pub(crate) const LEMKE_CANCELS: f64 = 1e-13;
 /// Ratios that differ by less than this fraction of their sum are one [1] but for some tens of roundings, and the lexicographic rule decides.
 pub(crate) const LEMKE_TIE: f64 = 1e-14;
-/// No point has a slack that is not negative where the largest smallest slack is below minus this fraction of the largest constant [1]: some tens of
-/// exchanges of a linear programme.
-pub(crate) const NO_SLACK: f64 = 1e-13;
-/// A slack that falls on the whole way by less than this fraction of the numbers it is computed from does not end the way [1]: some tens of roundings.
-pub(crate) const BLOCKS: f64 = 1e-14;
 /// Pivots below this fraction of the largest entry refuse a step of the implicit method [1]. Its matrix is regular: only one that is singular to the
 /// last digits is refused.
 pub(crate) const RADAU_RANK: f64 = 1e-14;

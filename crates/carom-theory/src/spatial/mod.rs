@@ -1,18 +1,20 @@
 //! Bodies in space that strike with a point while others still touch.
 //!
-//! But for [`Twist`] and [`FlatSlide`], which slide, the law is the non-sliding one: a contact that is kept comes to rest, whatever friction that takes; one that is not kept takes no impulse. A
+//! But for [`Twist`], [`FlatSlide`] and [`ThreeFeet`], which slide, the law is the non-sliding one: a contact that is kept comes to rest, whatever friction that takes; one that is not kept takes no impulse. A
 //! *state* is the set of contacts that are kept. It is consistent where no kept contact pulls and none of the others approaches.
 //!
 //! Source of the states: Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5. The conditions and the impulses were
 //! derived again; what differs from the print is said where it stands.
 
 mod borders;
+mod feet;
 mod pyramid;
 mod slide;
 mod stool;
 mod twist;
 
 pub use borders::LateralRoll;
+pub use feet::ThreeFeet;
 pub use pyramid::{Kept, Pyramid, PyramidStrike};
 pub use slide::{FlatSlide, ToRest};
 pub use stool::{Approach, OnBoth, OnNext, Stool};

@@ -134,10 +134,8 @@ pub enum Preference {
 /// Which member of a family of rates is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::spatial) enum Member {
-    /// The shortest.
-    Shortest,
-    /// The shortest of which none pulls: these contacts, one bit each, hold and carry no more than their base loads.
-    Pushing(u32),
+    /// As equal springs share, of which these contacts, one bit each, are lifted.
+    Springs(u32),
     /// The one whose smallest slack is largest.
     Middle,
 }
@@ -145,14 +143,10 @@ pub(in crate::spatial) enum Member {
 impl Member {
     /// The same, where this contact carries something or nothing: at the moment at which that changes rounding must not decide it.
     pub(in crate::spatial) fn carrying(self, i: usize, carries: bool) -> Self {
-        let idle = match self {
-            Self::Middle => return self,
-            Self::Shortest => 0,
-            Self::Pushing(idle) => idle,
-        };
-        match if carries { idle & !(1 << i) } else { idle | 1 << i } {
-            0 => Self::Shortest,
-            idle => Self::Pushing(idle),
+        match self {
+            Self::Middle => self,
+            Self::Springs(lifted) if carries => Self::Springs(lifted & !(1 << i)),
+            Self::Springs(lifted) => Self::Springs(lifted | 1 << i),
         }
     }
 }
@@ -172,8 +166,7 @@ pub struct Solution<const N: usize> {
     pub margin: f64,
     /// Which inequality that is.
     pub margin_of: Condition,
-    /// What is left open. Where nothing sticks the shortest rates of which none pulls are taken; else the shortest, and where these break a cone or pull, the
-    /// rates whose smallest slack is largest.
+    /// What is left open. Contacts share as equal springs do; where that breaks a cone, by the rates whose smallest slack is largest.
     pub freedom: Freedom,
     pub(in crate::spatial) member: Member,
 }

@@ -1,8 +1,7 @@
 //! The equations of a hypothesis: where a contact holds or sticks, its velocity does not change that way.
 //!
-//! A single body has six independent rates, so several contacts often leave a family of rates. The shortest member stands for the others, where nothing
-//! sticks the shortest of which none pulls: it does not depend on the frame, and it changes steadily with the slips. Without friction, and where all
-//! contacts have one friction and slide one way, it is what equal and very small compliances of all contacts make of them.
+//! A single body has six independent rates, so several contacts often leave a family of rates. Of these the one stands for the others that equal springs
+//! make of the load, see [`springs`](super::springs).
 
 use super::answer::{Freedom, Guess, Member, Mode};
 use super::rate::RateProblem;
@@ -38,24 +37,30 @@ pub(super) struct Unknowns {
 }
 
 impl Unknowns {
-    /// True where all of them are rates along normals.
-    fn are_normal(&self) -> bool {
-        self.of[..self.count].iter().all(|(_, axis)| *axis == 2)
+    pub(super) fn of(&self) -> &[(usize, usize)] {
+        &self.of[..self.count]
     }
 
-    /// The contacts of some of the unknowns, one bit each.
-    fn contacts(&self, some: u64) -> u32 {
-        let unknowns = self.of[..self.count].iter().enumerate();
-        unknowns.filter(|(place, _)| some & (1 << place) != 0).fold(0, |bits, (_, (i, _))| bits | 1 << i)
+    /// A number for each of them, from its contact and axis.
+    pub(super) fn each<const M: usize>(&self, number: impl Fn((usize, usize)) -> f64) -> [f64; M] {
+        let mut out = [0.0; M];
+        out.iter_mut().zip(self.of()).for_each(|(out, &of)| *out = number(of));
+        out
+    }
+
+    /// The contacts whose normal rates are below zero, one bit each.
+    pub(super) fn pulled<const M: usize>(&self, x: &[f64; M]) -> u32 {
+        let normal = self.of().iter().zip(x).filter(|((_, axis), x)| *axis == 2 && **x < 0.0);
+        normal.fold(0, |bits, ((i, _), _)| bits | 1 << i)
     }
 }
 
 /// What a hypothesis demands of its unknowns.
-struct Equations<const M: usize> {
-    matrix: [[f64; M]; M],
-    right: [f64; M],
+pub(super) struct Equations<const M: usize> {
+    pub(super) matrix: [[f64; M]; M],
+    pub(super) right: [f64; M],
     /// The largest sum of magnitudes of which a right side is made.
-    terms: f64,
+    pub(super) terms: f64,
 }
 
 impl<const M: usize> Equations<M> {
@@ -73,70 +78,63 @@ impl<const M: usize> Equations<M> {
 }
 
 impl<const N: usize> Hypothesis<'_, N> {
-    /// The rates that the hypothesis demands; of a family the shortest, and where nothing sticks the shortest of which none pulls, if there is one. `None`
-    /// where its equations contradict each other.
-    pub(in crate::spatial) fn rates(&self) -> Option<Found<N>> {
-        self.found(true)
-    }
-
-    /// The rates that the hypothesis demands, the shortest of a family, whether they pull or not.
-    pub(in crate::spatial) fn shortest(&self) -> Option<[Vec3; N]> {
-        Some(self.found(false)?.rates)
-    }
-
-    fn found(&self, pushing: bool) -> Option<Found<N>> {
+    /// The rates that the hypothesis demands, as equal springs share them; `None` where its equations contradict each other, or where some contact would
+    /// pull whichever are lifted. `all` says whether every set of lifted contacts may be tried.
+    pub(in crate::spatial) fn rates(&self, all: bool) -> Option<Found<N>> {
         let unknowns = self.unknowns();
         match unknowns.count {
-            0..=3 => self.found_sized::<3>(&unknowns, pushing),
-            4..=6 => self.found_sized::<6>(&unknowns, pushing),
-            7..=12 => self.found_sized::<12>(&unknowns, pushing),
-            _ => self.found_sized::<MOST>(&unknowns, pushing),
+            0..=3 => self.found_sized::<3>(&unknowns, all),
+            4..=6 => self.found_sized::<6>(&unknowns, all),
+            7..=12 => self.found_sized::<12>(&unknowns, all),
+            _ => self.found_sized::<MOST>(&unknowns, all),
         }
     }
 
-    fn found_sized<const M: usize>(&self, unknowns: &Unknowns, pushing: bool) -> Option<Found<N>> {
+    fn found_sized<const M: usize>(&self, unknowns: &Unknowns, all: bool) -> Option<Found<N>> {
         let equations = self.equations::<M>(unknowns);
-        let mut member = Member::Shortest;
         if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
+            let member = Member::Springs(0);
             return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
         }
         let mut family = equations.solved(unknowns.count)?;
+        let (lifted, sprung) = match self.resting::<M>(unknowns, all) {
+            Some(found) => found,
+            None => (0, self.sprung(unknowns, 0)?),
+        };
         family.shorten();
-        if pushing && unknowns.are_normal() {
-            // A contact that holds carries its base load at least.
-            let least = unknowns.of.map(|(i, _)| self.problem.base(i));
-            let least = &least[..unknowns.count];
-            let pulls = family.point.iter().zip(least).any(|(x, least)| x < least);
-            if pulls && let Some(above) = family.shortest_above(least) {
-                family.point = above.point;
-                member = Member::Pushing(unknowns.contacts(above.at_least));
-            }
-        }
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
-        Some(Found { rates: self.spread(&family.point, unknowns), freedom, member })
+        Some(Found { rates: self.spread(&sprung.x, unknowns), freedom, member: Member::Springs(lifted) })
     }
 
-    /// The shortest rates of which these contacts, one bit each, carry no more than their base loads.
-    pub(in crate::spatial) fn rates_without(&self, idle: u32) -> Option<[Vec3; N]> {
+    /// The rates where these contacts, one bit each, are lifted, and by how much each contact sinks in.
+    pub(in crate::spatial) fn sprung_by(&self, lifted: u32) -> Option<([Vec3; N], [f64; N])> {
         let unknowns = self.unknowns();
-        let mut equations = self.equations::<MOST>(&unknowns);
-        let carries_least = |(i, axis): (usize, usize)| axis == 2 && idle & (1 << i) != 0;
-        for (place, &(i, axis)) in unknowns.of[..unknowns.count].iter().enumerate() {
-            if carries_least((i, axis)) {
-                let base = self.problem.base(i);
-                for (row, right) in equations.matrix.iter_mut().zip(&mut equations.right) {
-                    *right -= row[place] * base;
-                    row[place] = 0.0;
-                }
+        match unknowns.count {
+            0..=3 => self.sprung_sized::<3>(&unknowns, lifted),
+            4..=6 => self.sprung_sized::<6>(&unknowns, lifted),
+            7..=12 => self.sprung_sized::<12>(&unknowns, lifted),
+            _ => self.sprung_sized::<MOST>(&unknowns, lifted),
+        }
+    }
+
+    fn sprung_sized<const M: usize>(
+        &self,
+        unknowns: &Unknowns,
+        lifted: u32,
+    ) -> Option<([Vec3; N], [f64; N])> {
+        let mut sinks = [0.0; N];
+        if lifted == 0 {
+            let equations = self.equations::<M>(unknowns);
+            if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
+                return Some((self.spread(&x, unknowns), sinks));
             }
         }
-        let mut family = equations.solved(unknowns.count)?;
-        family.shorten();
-        for (x, &of) in family.point.iter_mut().zip(&unknowns.of[..unknowns.count]) {
-            *x = if carries_least(of) { self.problem.base(of.0) } else { *x };
+        let sprung = self.sprung::<M>(unknowns, lifted)?;
+        for (&(i, axis), sink) in unknowns.of().iter().zip(sprung.sinks) {
+            sinks[i] = if axis == 2 { sink } else { sinks[i] };
         }
-        Some(self.spread(&family.point, &unknowns))
+        Some((self.spread(&sprung.x, unknowns), sinks))
     }
 
     /// All rates that satisfy the equations, the shortest as the point.
@@ -183,7 +181,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 
     /// Both sides of the equations. The right-hand side is minus the drive, and minus the response to the base loads.
-    fn equations<const M: usize>(&self, unknowns: &Unknowns) -> Equations<M> {
+    pub(super) fn equations<const M: usize>(&self, unknowns: &Unknowns) -> Equations<M> {
         let (mut matrix, mut right, mut terms) = ([[0.0; M]; M], [0.0; M], 0.0f64);
         let pull: [Vec3; N] = std::array::from_fn(|j| self.pull(j));
         let of = &unknowns.of[..unknowns.count];

@@ -7,4 +7,5 @@ pub(in crate::spatial) mod forces;
 pub(in crate::spatial) mod motions;
 pub(in crate::spatial) mod rate;
 pub(in crate::spatial) mod reduced;
+mod springs;
 pub(in crate::spatial) mod starts;

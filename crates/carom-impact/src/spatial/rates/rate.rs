@@ -301,10 +301,9 @@ impl<const N: usize> RateProblem<'_, N> {
 impl<const N: usize> Hypothesis<'_, N> {
     /// The solution that the hypothesis is; else the inequality that is violated most.
     pub(super) fn judge(&self) -> Result<Solution<N>, Rejection> {
-        let found = self.rates().ok_or((Condition::Solvable, -1.0))?;
+        let found = self.rates(true).ok_or((Condition::Solvable, -1.0))?;
         self.ask(&found).or_else(|why| {
-            // Where nothing sticks, the rates are those of which none pulls. Where something does, a cone may be kept by other rates of the family; what the
-            // motion breaks, only by rates that move the body otherwise.
+            // Where something sticks, a cone may be kept by other rates of the family; what the motion breaks, only by rates that move the body otherwise.
             let forces = matches!(why.0, Condition::Pushes(_) | Condition::WithinCone(_));
             let others =
                 if forces { found.freedom != Freedom::None } else { found.freedom == Freedom::Motion };

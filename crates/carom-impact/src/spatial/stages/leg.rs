@@ -110,32 +110,23 @@ impl<'a, const N: usize> Leg<'a, N> {
         let problem = self.problem(direction);
         let hypothesis = Hypothesis { problem: &problem, guess: &self.guess, direction: *direction };
         let rates = match self.member {
-            Member::Shortest => hypothesis.shortest()?,
-            Member::Pushing(idle) => hypothesis.rates_without(idle)?,
+            Member::Springs(lifted) => hypothesis.sprung_by(lifted)?.0,
             Member::Middle => hypothesis.middle()?,
         };
         self.pace_of(&rates)
     }
 
-    /// What contact i, which holds and carries no more than its base load, would carry beyond that if it were asked to, at the pace of this clock: below
-    /// zero as long as it would pull.
-    pub(super) fn would_carry(
-        &self,
-        i: usize,
-        idle: u32,
-        direction: &[[f64; 2]; N],
-        clock: f64,
-    ) -> Option<f64> {
+    /// By how much contact i, which is lifted, sinks in, at the pace of this clock: below zero as long as it is.
+    pub(super) fn sinks(&self, i: usize, lifted: u32, direction: &[[f64; 2]; N], clock: f64) -> Option<f64> {
         let problem = self.problem(direction);
         let hypothesis = Hypothesis { problem: &problem, guess: &self.guess, direction: *direction };
-        let rates = hypothesis.rates_without(idle & !(1 << i))?;
-        Some((rates[i].z - problem.base(i)) * clock)
+        Some(hypothesis.sprung_by(lifted)?.1[i] * clock)
     }
 
-    /// The contacts that hold and carry no more than their base loads, one bit each, where contact i is one of them.
-    pub(super) fn idle(&self, i: usize) -> Option<u32> {
-        let Member::Pushing(idle) = self.member else { return None };
-        (idle & (1 << i) != 0).then_some(idle)
+    /// The contacts that hold and are lifted off their springs, one bit each, where contact i is one of them.
+    pub(super) fn lifted(&self, i: usize) -> Option<u32> {
+        let Member::Springs(lifted) = self.member else { return None };
+        (lifted & (1 << i) != 0).then_some(lifted)
     }
 
     fn problem(&self, direction: &[[f64; 2]; N]) -> RateProblem<'a, N> {

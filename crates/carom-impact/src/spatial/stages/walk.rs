@@ -216,12 +216,12 @@ impl<'a, const N: usize> Walk<'a, N> {
         let mut guess = solution.guess;
         if matches!(walked.event, StageEvent::Opens(_)) {
             // With it those open that carry nothing, if it is not the whole face that goes on.
-            self.contacts().filter(|&i| leg.idle(i).is_some()).for_each(|i| guess[i] = Guess::OPEN);
+            self.contacts().filter(|&i| leg.lifted(i).is_some()).for_each(|i| guess[i] = Guess::OPEN);
         }
         self.led_to = led_to(&guess, walked.event, &self.place.at);
         self.carries = match walked.event {
             StageEvent::Opens(i) => Some((i, false)),
-            StageEvent::Loads(i) if leg.idle(i).is_some() => Some((i, true)),
+            StageEvent::Loads(i) if leg.lifted(i).is_some() => Some((i, true)),
             _ => None,
         };
         for i in self.contacts() {

@@ -68,8 +68,8 @@ impl<const N: usize> Curve<'_, N> {
         let mut out = Watch { contact: [[1.0; OF_CONTACT]; N], common: [1.0; 2] };
         for i in self.leg.contacts() {
             out.contact[i] = self.watch_contact(i, &now, normal[i], clock);
-            if let Some(idle) = self.leg.idle(i) {
-                out.contact[i][3] = -self.leg.would_carry(i, idle, &direction, now.clock)?;
+            if let Some(lifted) = self.leg.lifted(i) {
+                out.contact[i][3] = -self.leg.sinks(i, lifted, &direction, now.clock)?;
             }
             if let Goal::Work(end) = self.leg.goal
                 && end[i].is_finite()

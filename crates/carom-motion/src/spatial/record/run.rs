@@ -53,8 +53,8 @@ pub struct Impact {
     /// The least friction coefficient with which no contact slides. Of a family of impulses it is that of the member which needs least; with friction in the
     /// world, that of these impulses.
     pub friction_demand: f64,
-    /// What sharing among the supports leaves open. Where that is the motion, the impulses are one choice: at each moment the shortest of which none pulls,
-    /// or, where supports stick, the shortest if these keep within the cones, else those deepest within them.
+    /// What sharing among the supports leaves open. Where that is the motion, the impulses are one choice: at each moment what
+    /// equal springs make of the load, or, where that breaks a cone, the impulses deepest within the cones.
     pub open: Freedom,
     /// How many different motions the law allows: of several, [`crate::spatial::terms::Options::choice`] has chosen.
     pub conclusion: Conclusion,
