@@ -1,7 +1,7 @@
 //! Contacts of one face: how they share what they carry, and that they have one way on.
 
-use carom_impact::Load;
-use carom_impact::spatial::{ContactSet, Freedom, Mode, RateProblem, RigidBody, Touch};
+use carom_impact::spatial::{ContactSet, Freedom, Mode, RateProblem, RigidBody, Touch, staged};
+use carom_impact::{Law, Load};
 use carom_num::elementary::sin_cos;
 use carom_num::{Mat3, Vec3};
 use carom_theory::spatial::ThreeFeet;
@@ -119,6 +119,34 @@ fn hypotheses_that_say_the_same_of_a_face_are_asked_once() {
     assert!(holding.iter().all(|n| *n <= 2 || *n == 6), "corners, edges and the whole: {holding:?}");
     // Nothing: 1; corners: 6 · 2; edges and diagonals: 15 · 4; the whole, of which one sticks: 6. Beside a solution slips that all start are not looked for.
     assert_eq!(asked, 1 + 12 + 60 + 6, "of 729, beside the one in which all stick");
+}
+
+/// A face falls on one of its edges, and its other feet join it. With rates that no springs make the edge and the whole face took turns faster and faster, and
+/// the impact did not end; so they did for a whole neighbourhood of these velocities.
+#[test]
+fn a_face_that_falls_on_its_edge_comes_to_rest_on_it() {
+    let body = RigidBody {
+        mass: 1.8255,
+        inertia: Mat3::diagonal(0.62714, 0.45675, 0.22064),
+        velocity: Vec3::new(0.8778, 0.3851, -1.0),
+        spin: Vec3::new(0.4984, 0.086, -0.3575),
+    };
+    let feet = [[0.3143, 0.0354], [0.3143, 0.9781], [0.3143, -0.6187], [0.3143, -0.9379], [0.7701, -0.554]];
+    let touch = |[x, y]: [f64; 2]| Touch {
+        arm: Vec3::new(x, y, -0.9153),
+        normal: Vec3::Z,
+        friction: 0.7359,
+        restitution: 0.0,
+    };
+    for step in 0..9 {
+        let moved = Vec3::new(f64::from(step % 3 - 1), f64::from(step / 3 - 1), 0.0) * 1e-3;
+        let body = RigidBody { velocity: body.velocity + moved, ..body };
+        let set: ContactSet<5> = ContactSet::of_free_body(&body, &feet.map(touch)).unwrap();
+        let outcome = staged::resolve(&set, Law::Poisson).unwrap_or_else(|why| panic!("{moved:?}: {why}"));
+        assert!(outcome.stages <= 8, "{moved:?}: {} stages", outcome.stages);
+        let left = outcome.velocity.map(|u| u.z.abs()).into_iter().fold(0.0, f64::max);
+        assert!(left < 1e-12, "{moved:?}: it rests on its whole face but for {left}");
+    }
 }
 
 /// A bar in an inclined V groove of a right angle: each side carries √½ of what presses it in, and it starts to slide along the groove with

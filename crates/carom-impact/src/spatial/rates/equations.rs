@@ -78,33 +78,46 @@ impl<const M: usize> Equations<M> {
 }
 
 impl<const N: usize> Hypothesis<'_, N> {
-    /// The rates that the hypothesis demands, as equal springs share them; `None` where its equations contradict each other, or where some contact would
-    /// pull whichever are lifted. `all` says whether every set of lifted contacts may be tried.
-    pub(in crate::spatial) fn rates(&self, all: bool) -> Option<Found<N>> {
+    /// The rates that the hypothesis demands, as equal springs share them; `None` where its equations contradict each other.
+    pub(in crate::spatial) fn rates(&self) -> Option<Found<N>> {
+        let mut first = None;
+        self.each_rates(false, &mut |found| first = first.or(Some(found)));
+        first
+    }
+
+    /// Hands over the rates that the hypothesis demands. Equal springs share them, of which more than one set may be lifted: all of these are asked for if
+    /// `all` is said and they make a difference to the motion. Where some contact would pull whichever are lifted, the rates are those where none is.
+    pub(super) fn each_rates(&self, all: bool, visit: &mut impl FnMut(Found<N>)) {
         let unknowns = self.unknowns();
         match unknowns.count {
-            0..=3 => self.found_sized::<3>(&unknowns, all),
-            4..=6 => self.found_sized::<6>(&unknowns, all),
-            7..=12 => self.found_sized::<12>(&unknowns, all),
-            _ => self.found_sized::<MOST>(&unknowns, all),
+            0..=3 => self.each_sized::<3>(&unknowns, all, visit),
+            4..=6 => self.each_sized::<6>(&unknowns, all, visit),
+            7..=12 => self.each_sized::<12>(&unknowns, all, visit),
+            _ => self.each_sized::<MOST>(&unknowns, all, visit),
         }
     }
 
-    fn found_sized<const M: usize>(&self, unknowns: &Unknowns, all: bool) -> Option<Found<N>> {
+    fn each_sized<const M: usize>(&self, unknowns: &Unknowns, all: bool, visit: &mut impl FnMut(Found<N>)) {
         let equations = self.equations::<M>(unknowns);
-        if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
-            let member = Member::Springs(0);
-            return Some(Found { rates: self.spread(&x, unknowns), freedom: Freedom::None, member });
-        }
-        let mut family = equations.solved(unknowns.count)?;
-        let (lifted, sprung) = match self.resting::<M>(unknowns, all) {
-            Some(found) => found,
-            None => (0, self.sprung(unknowns, 0)?),
+        let mut hand = |x: &[f64; M], freedom, lifted| {
+            visit(Found { rates: self.spread(x, unknowns), freedom, member: Member::Springs(lifted) });
         };
-        family.shorten();
+        if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
+            return hand(&x, Freedom::None, 0);
+        }
+        let Some(springs) = self.springs(unknowns, &equations) else { return };
+        let Some(family) = equations.solved(unknowns.count) else { return };
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
-        Some(Found { rates: self.spread(&sprung.x, unknowns), freedom, member: Member::Springs(lifted) })
+        let guessed = springs.guessed();
+        let Some((lifted, sprung)) = guessed.or_else(|| Some((0, springs.sprung(0)?))) else { return };
+        hand(&sprung.x, freedom, lifted);
+        if all && (moves || guessed.is_none()) {
+            springs
+                .all()
+                .filter(|(set, _)| *set != lifted)
+                .for_each(|(set, sprung)| hand(&sprung.x, freedom, set));
+        }
     }
 
     /// The rates where these contacts, one bit each, are lifted, and by how much each contact sinks in.
@@ -124,13 +137,13 @@ impl<const N: usize> Hypothesis<'_, N> {
         lifted: u32,
     ) -> Option<([Vec3; N], [f64; N])> {
         let mut sinks = [0.0; N];
-        if lifted == 0 {
-            let equations = self.equations::<M>(unknowns);
-            if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
-                return Some((self.spread(&x, unknowns), sinks));
-            }
+        let equations = self.equations::<M>(unknowns);
+        if lifted == 0
+            && let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK)
+        {
+            return Some((self.spread(&x, unknowns), sinks));
         }
-        let sprung = self.sprung::<M>(unknowns, lifted)?;
+        let sprung = self.springs(unknowns, &equations)?.sprung(lifted)?;
         for (&(i, axis), sink) in unknowns.of().iter().zip(sprung.sinks) {
             sinks[i] = if axis == 2 { sink } else { sinks[i] };
         }

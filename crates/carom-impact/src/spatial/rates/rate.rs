@@ -154,7 +154,8 @@ impl<const N: usize> RateProblem<'_, N> {
         for search in [Search::Certain, Search::Pairs, Search::Wide] {
             self.each_start(guess, search, &mut |direction| {
                 let hypothesis = Hypothesis { problem: self, guess, direction: *direction };
-                found = found.or_else(|| hypothesis.judge().ok());
+                // What none of its rates keeps is no solution, and why does not matter here.
+                let _ = hypothesis.judge(&mut |solution| found = found.or(Some(solution)));
             });
         }
         found
@@ -179,19 +180,13 @@ impl<const N: usize> RateProblem<'_, N> {
             // Of the directions tried, the one that is nearest to being a solution says why there is none.
             let mut nearest: Option<Rejection> = None;
             let mut found = false;
-            let tried = self.each_start(guess, search, &mut |direction| match (Hypothesis {
-                problem: self,
-                guess,
-                direction: *direction,
-            })
-            .judge()
-            {
-                Ok(solution) => {
-                    found = true;
-                    answer.keep(solution, self.count, scale);
+            let tried = self.each_start(guess, search, &mut |direction| {
+                let hypothesis = Hypothesis { problem: self, guess, direction: *direction };
+                match hypothesis.judge(&mut |solution| answer.keep(solution, self.count, scale)) {
+                    Ok(()) => found = true,
+                    Err(why) if nearest.is_none_or(|n| why.1 > n.1) => nearest = Some(why),
+                    Err(_) => {}
                 }
-                Err(why) if nearest.is_none_or(|n| why.1 > n.1) => nearest = Some(why),
-                Err(_) => {}
             });
             answer.examined &=
                 tried == Tried::ForCertain || (search > Search::Certain && tried == Tried::Elsewhere);
@@ -299,20 +294,28 @@ impl<const N: usize> RateProblem<'_, N> {
 }
 
 impl<const N: usize> Hypothesis<'_, N> {
-    /// The solution that the hypothesis is; else the inequality that is violated most.
-    pub(super) fn judge(&self) -> Result<Solution<N>, Rejection> {
-        let found = self.rates(true).ok_or((Condition::Solvable, -1.0))?;
-        self.ask(&found).or_else(|why| {
-            // Where something sticks, a cone may be kept by other rates of the family; what the motion breaks, only by rates that move the body otherwise.
-            let forces = matches!(why.0, Condition::Pushes(_) | Condition::WithinCone(_));
-            let others =
-                if forces { found.freedom != Freedom::None } else { found.freedom == Freedom::Motion };
-            if !others || !self.guess.iter().any(|g| g.mode == Mode::Sticks) {
-                return Err(why);
+    /// Hands over the solutions that the hypothesis is: one for each way in which equal springs may carry. Else the inequality that is violated most.
+    pub(super) fn judge(&self, visit: &mut impl FnMut(Solution<N>)) -> Result<(), Rejection> {
+        let (mut first, mut any) = (None, false);
+        self.each_rates(true, &mut |found| match self.ask(&found) {
+            Ok(solution) => {
+                any = true;
+                visit(solution);
             }
-            let rates = self.middle().ok_or(why)?;
-            self.ask(&Found { rates, member: Member::Middle, ..found })
-        })
+            Err(why) => first = first.or(Some((found, why))),
+        });
+        if any {
+            return Ok(());
+        }
+        let (found, why) = first.ok_or((Condition::Solvable, -1.0))?;
+        // Where something sticks, a cone may be kept by other rates of the family; what the motion breaks, only by rates that move the body otherwise.
+        let forces = matches!(why.0, Condition::Pushes(_) | Condition::WithinCone(_));
+        let others = if forces { found.freedom != Freedom::None } else { found.freedom == Freedom::Motion };
+        if !others || !self.guess.iter().any(|g| g.mode == Mode::Sticks) {
+            return Err(why);
+        }
+        let rates = self.middle().ok_or(why)?;
+        self.ask(&Found { rates, member: Member::Middle, ..found }).map(visit)
     }
 
     /// Asks every inequality.

@@ -5,13 +5,26 @@
 //! `x = base + G λ` with the rows of the hypothesis's constraints as G. What slides brakes by its friction, which no spring feels. There are as many
 //! unknowns as the body has motions, however many contacts it has.
 
-use super::equations::{Hypothesis, Unknowns};
+use super::equations::{Equations, Hypothesis, Unknowns};
 use crate::tolerance::RANK;
 use carom_num::Vec3;
 use carom_num::solve::{dot, solve_regular};
 
 /// After so many guesses of which contacts are lifted every set of them is tried.
 const MOST_GUESSES: usize = 8;
+
+/// The springs of a hypothesis.
+pub(super) struct Springs<'u, const M: usize> {
+    unknowns: &'u Unknowns,
+    base: [f64; M],
+    /// What small displacements of the bodies make of the unknowns, orthonormal, and how many they are.
+    axes: [[f64; M]; M],
+    rank: usize,
+    /// What each unknown does to the constraints, along the axes.
+    does: [[f64; M]; M],
+    /// What all of them must do beyond their base loads, along the axes.
+    must: [f64; M],
+}
 
 /// Rates by equal springs.
 #[derive(Clone, Copy)]
@@ -23,58 +36,31 @@ pub(super) struct Sprung<const M: usize> {
 }
 
 impl<const N: usize> Hypothesis<'_, N> {
-    /// The rates where these contacts, one bit each, are lifted; `None` where the others cannot do what the hypothesis says.
-    pub(super) fn sprung<const M: usize>(&self, unknowns: &Unknowns, lifted: u32) -> Option<Sprung<M>> {
+    /// The springs that meet these equations; `None` where nothing can.
+    pub(super) fn springs<'u, const M: usize>(
+        &self,
+        unknowns: &'u Unknowns,
+        equations: &Equations<M>,
+    ) -> Option<Springs<'u, M>> {
         let n = unknowns.count;
-        let equations = self.equations::<M>(unknowns);
-        let mut right = equations.right;
         let base = unknowns.each(|(i, axis)| if axis == 2 { self.problem.base(i) } else { 0.0 });
-        let carries = unknowns.each::<M>(|(i, _)| if lifted & (1 << i) == 0 { 1.0 } else { 0.0 });
+        let mut right = equations.right;
         for (right, row) in right.iter_mut().zip(&equations.matrix).take(n) {
             *right -= dot(row, &base);
         }
         let (axes, rank) = self.displacements::<M>(unknowns);
-        // Both sides are what displacements make: along these they say all.
-        let mut matrix = [[0.0; M]; M];
-        let mut along = [0.0; M];
-        for a in 0..rank {
-            along[a] = dot(&axes[a], &right);
-            let row: [f64; M] = std::array::from_fn(|c| {
-                carries[c] * (0..n).map(|k| axes[a][k] * equations.matrix[k][c]).sum::<f64>()
-            });
-            for b in 0..rank {
-                matrix[a][b] = dot(&row, &axes[b]);
+        let (mut does, mut must) = ([[0.0; M]; M], [0.0; M]);
+        for (a, axis) in axes[..rank].iter().enumerate() {
+            must[a] = dot(axis, &right);
+            for (part, row) in axis.iter().zip(&equations.matrix).take(n) {
+                does[a].iter_mut().zip(row).for_each(|(does, entry)| *does += part * entry);
             }
         }
-        let left = (0..n).map(|k| right[k] - (0..rank).map(|a| axes[a][k] * along[a]).sum::<f64>());
+        // Both sides are what displacements make: what is left of the right one, nothing does.
+        let left = (0..n).map(|k| right[k] - (0..rank).map(|a| axes[a][k] * must[a]).sum::<f64>());
         let largest = right[..n].iter().fold(0.0, |m: f64, v| m.max(v.abs())).max(equations.terms);
-        if left.fold(0.0, |m: f64, v| m.max(v.abs())) > RANK * largest {
-            return None;
-        }
-        let z = solve_regular(matrix, along, rank, RANK)?;
-        let sinks = std::array::from_fn(|k| (0..rank).map(|a| axes[a][k] * z[a]).sum());
-        let x = std::array::from_fn(|k| base[k] + carries[k] * sinks[k]);
-        Some(Sprung { x, sinks })
-    }
-
-    /// The contacts that are lifted, one bit each, and the rates; `None` where no set of them is. `all` says whether every set may be tried.
-    pub(super) fn resting<const M: usize>(&self, unknowns: &Unknowns, all: bool) -> Option<(u32, Sprung<M>)> {
-        let ask = |lifted: u32| {
-            let sprung = self.sprung::<M>(unknowns, lifted)?;
-            Some((unknowns.pulled(&sprung.sinks), sprung))
-        };
-        let mut lifted = 0;
-        for _ in 0..MOST_GUESSES {
-            let Some((pulled, sprung)) = ask(lifted) else { break };
-            if pulled == lifted {
-                return Some((lifted, sprung));
-            }
-            lifted = pulled;
-        }
-        let holding =
-            (0..self.problem.count).filter(|&i| self.guess[i].holds).fold(0, |bits, i| bits | 1 << i);
-        let sets = (0..if all { 1u32 << self.problem.count } else { 0 }).filter(|set| set & !holding == 0);
-        sets.filter_map(|set| ask(set).filter(|(pulled, _)| *pulled == set)).next()
+        let met = left.fold(0.0, |m: f64, v| m.max(v.abs())) <= RANK * largest;
+        met.then_some(Springs { unknowns, base, axes, rank, does, must })
     }
 
     /// What small displacements of the bodies make of the unknowns, as orthonormal axes, and how many they are.
@@ -102,5 +88,52 @@ impl<const N: usize> Hypothesis<'_, N> {
             }
         }
         (axes, rank)
+    }
+}
+
+impl<const M: usize> Springs<'_, M> {
+    /// The rates where these contacts, one bit each, are lifted; `None` where the others cannot do what the hypothesis says.
+    pub(super) fn sprung(&self, lifted: u32) -> Option<Sprung<M>> {
+        let carries = self.unknowns.each::<M>(|(i, _)| if lifted & (1 << i) == 0 { 1.0 } else { 0.0 });
+        let mut matrix = [[0.0; M]; M];
+        for (row, does) in matrix[..self.rank].iter_mut().zip(&self.does) {
+            let by: [f64; M] = std::array::from_fn(|c| carries[c] * does[c]);
+            row.iter_mut().zip(&self.axes[..self.rank]).for_each(|(entry, axis)| *entry = dot(&by, axis));
+        }
+        let z = solve_regular(matrix, self.must, self.rank, RANK)?;
+        let sinks = std::array::from_fn(|k| (0..self.rank).map(|a| self.axes[a][k] * z[a]).sum());
+        Some(Sprung { x: std::array::from_fn(|k| self.base[k] + carries[k] * sinks[k]), sinks })
+    }
+
+    /// The rates where these contacts are lifted, if they are those that would pull.
+    fn resting(&self, lifted: u32) -> Result<Sprung<M>, Option<u32>> {
+        let sprung = self.sprung(lifted).ok_or(None)?;
+        let pulled = self.unknowns.pulled(&sprung.sinks);
+        if pulled == lifted { Ok(sprung) } else { Err(Some(pulled)) }
+    }
+
+    /// A set of lifted contacts, one bit each, of which exactly those that are lifted would pull, and the rates. It is guessed.
+    pub(super) fn guessed(&self) -> Option<(u32, Sprung<M>)> {
+        let mut lifted = 0;
+        for _ in 0..MOST_GUESSES {
+            match self.resting(lifted) {
+                Ok(sprung) => return Some((lifted, sprung)),
+                Err(pulled) => lifted = pulled?,
+            }
+        }
+        None
+    }
+
+    /// All such sets. Where what slides brakes unequally there may be more than one of them.
+    pub(super) fn all(&self) -> impl Iterator<Item = (u32, Sprung<M>)> {
+        let holding = self.unknowns.pulled(&self.unknowns.each::<M>(|_| -1.0));
+        let mut next = Some(0);
+        let sets = std::iter::from_fn(move || {
+            let set = next?;
+            // The next larger number whose bits are all of contacts that hold.
+            next = Some((set | !holding).wrapping_add(1) & holding).filter(|&next| next != 0);
+            Some(set)
+        });
+        sets.filter_map(|set| Some((set, self.resting(set).ok()?)))
     }
 }

@@ -146,7 +146,7 @@ impl<const N: usize> RateProblem<'_, N> {
         let mut others = *guess;
         starting.iter().for_each(|&i| others[i] = Guess::OPEN);
         let responding = |problem: &RateProblem<'_, N>| {
-            let found = Hypothesis { problem, guess: &others, direction }.rates(false)?;
+            let found = Hypothesis { problem, guess: &others, direction }.rates()?;
             let determined = found.freedom == Freedom::None;
             determined.then(|| starting.map(|i| problem.response(&found.rates).0[i]))
         };
@@ -202,7 +202,7 @@ impl<const N: usize> RateProblem<'_, N> {
                 let (sin, cos) = sin_cos(*theta);
                 direction[i] = [cos, sin];
             }
-            let found = Hypothesis { problem: self, guess, direction }.rates(false)?;
+            let found = Hypothesis { problem: self, guess, direction }.rates()?;
             let (response, _) = self.response(&found.rates);
             let mut out = [0.0; MOST];
             for (out, &i) in out.iter_mut().zip(starting) {
