@@ -18,6 +18,7 @@
 //! - [`cones`]: the narrowest cones that hold a member of a family of vectors;
 //! - [`sobol`], [`normal`]: Sobol's points with Owen's scrambling; the normal distribution.
 
+mod basis;
 pub mod circle;
 pub mod cones;
 pub mod course;
@@ -42,6 +43,7 @@ mod tolerance;
 mod vec2;
 mod vec3;
 
+pub use basis::Basis;
 pub use mat3::Mat3;
 pub use rotation::Rotation;
 pub use vec2::Vec2;

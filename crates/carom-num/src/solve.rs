@@ -1,5 +1,7 @@
 //! Small dense linear systems, rank-deficient ones included.
 
+use crate::Basis;
+
 /// The solutions of a small linear system: a point, and the directions along which the solution is free.
 ///
 /// # Example
@@ -62,22 +64,15 @@ impl<const M: usize> Solutions<M> {
     /// # Ok::<(), &str>(())
     /// ```
     pub fn shorten(&mut self) {
-        let Self { point, free, freedom } = self;
-        for k in 0..*freedom {
-            let (before, rest) = free.split_at_mut(k);
-            let Some(direction) = rest.first_mut() else { return };
-            // Twice is enough for rounding.
-            for _ in 0..2 {
-                for other in before.iter() {
-                    let along = dot(direction, other);
-                    direction.iter_mut().zip(other).for_each(|(d, o)| *d -= along * o);
-                }
-            }
-            let length = dot(direction, direction).sqrt();
-            direction.iter_mut().for_each(|d| *d /= length);
-            let along = dot(point, direction);
-            point.iter_mut().zip(&*direction).for_each(|(p, d)| *p -= along * d);
+        let mut basis = Basis::NONE;
+        for direction in &self.free[..self.freedom] {
+            basis.take(*direction, 0.0);
         }
+        for axis in basis.axes() {
+            let along = dot(&self.point, axis);
+            self.point.iter_mut().zip(axis).for_each(|(p, a)| *p -= along * a);
+        }
+        self.free.iter_mut().zip(basis.axes()).for_each(|(free, axis)| *free = *axis);
     }
 }
 
