@@ -5,12 +5,13 @@
 
 use super::answer::{Freedom, Guess, Member, Mode};
 use super::rate::RateProblem;
+use crate::spatial::contacts::set::MOST_EXAMINED;
 use crate::tolerance::{NO_MOTION, RANK};
 use carom_num::Vec3;
 use carom_num::solve::{Solutions, Tolerance, solve_regular, solve_rows};
 
-/// Most unknown rates: three for each of eight contacts.
-const MOST: usize = 24;
+/// Most unknown rates: three for each contact.
+pub(super) const MOST: usize = 3 * MOST_EXAMINED;
 
 /// A hypothesis with the directions in which its contacts slip.
 #[derive(Clone, Copy)]
@@ -93,6 +94,7 @@ impl<const N: usize> Hypothesis<'_, N> {
             0..=3 => self.each_sized::<3>(&unknowns, all, visit),
             4..=6 => self.each_sized::<6>(&unknowns, all, visit),
             7..=12 => self.each_sized::<12>(&unknowns, all, visit),
+            13..=24 => self.each_sized::<24>(&unknowns, all, visit),
             _ => self.each_sized::<MOST>(&unknowns, all, visit),
         }
     }
@@ -110,13 +112,23 @@ impl<const N: usize> Hypothesis<'_, N> {
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
         let guessed = springs.guessed();
-        let Some((lifted, sprung)) = guessed.or_else(|| Some((0, springs.sprung(0)?))) else { return };
-        hand(&sprung.x, freedom, lifted);
-        if all && (moves || guessed.is_none()) {
-            springs
-                .all()
-                .filter(|(set, _)| *set != lifted)
-                .for_each(|(set, sprung)| hand(&sprung.x, freedom, set));
+        let rests = guessed.is_some_and(|rest| rest.rests);
+        let mut ways: Vec<_> = guessed.into_iter().collect();
+        if all && (moves || !rests) {
+            let mut others = springs.all();
+            others.retain(|other| !rests || Some(other.lifted) != guessed.map(|rest| rest.lifted));
+            if !rests && !others.is_empty() {
+                ways.clear();
+            }
+            ways.extend(others);
+        }
+        for rest in &ways {
+            hand(&rest.sprung.x, freedom, rest.lifted);
+        }
+        if ways.is_empty()
+            && let Some(sprung) = springs.sprung(0)
+        {
+            hand(&sprung.x, freedom, 0);
         }
     }
 
@@ -127,6 +139,7 @@ impl<const N: usize> Hypothesis<'_, N> {
             0..=3 => self.sprung_sized::<3>(&unknowns, lifted),
             4..=6 => self.sprung_sized::<6>(&unknowns, lifted),
             7..=12 => self.sprung_sized::<12>(&unknowns, lifted),
+            13..=24 => self.sprung_sized::<24>(&unknowns, lifted),
             _ => self.sprung_sized::<MOST>(&unknowns, lifted),
         }
     }
@@ -151,11 +164,10 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 
     /// All rates that satisfy the equations, the shortest as the point.
-    pub(super) fn family(&self) -> Option<(Solutions<MOST>, Unknowns)> {
-        let unknowns = self.unknowns();
-        let mut family = self.equations::<MOST>(&unknowns).solved(unknowns.count)?;
+    pub(super) fn family<const M: usize>(&self, unknowns: &Unknowns) -> Option<Solutions<M>> {
+        let mut family = self.equations::<M>(unknowns).solved(unknowns.count)?;
         family.shorten();
-        Some((family, unknowns))
+        Some(family)
     }
 
     /// True where these rates alone move a contact.
@@ -179,7 +191,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         Vec3::new(-mu * x, -mu * y, 1.0)
     }
 
-    fn unknowns(&self) -> Unknowns {
+    pub(super) fn unknowns(&self) -> Unknowns {
         let mut out = Unknowns { count: 0, of: [(0, 0); MOST] };
         for (i, g) in self.guess.iter().enumerate().take(self.problem.count) {
             let sticks = g.mode == Mode::Sticks;

@@ -9,6 +9,7 @@
 //! [`starts`](super::starts) for which of them are found for certain.
 
 use super::answer::{Answer, Condition, Freedom, Guess, Member, Mode, Solution};
+use super::closed::{Closed, Guesses};
 use super::equations::{Found, Hypothesis};
 use crate::Load;
 use crate::spatial::contacts::set::MOST_EXAMINED;
@@ -59,8 +60,8 @@ pub struct RateProblem<'a, const N: usize> {
     pub load: [Load; N],
 }
 
-/// A contact holds or not, and is open, slips, sticks or starts.
-const MOST_OPTIONS: usize = 4;
+/// Of more contacts the hypotheses that are part of others are too many to be asked.
+const MOST_IN_ALL: usize = 8;
 
 /// Which hypotheses are tried, by what it takes to find the directions of slips that start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,16 +72,6 @@ pub(super) enum Search {
     Pairs,
     /// More contacts start, or rates stay open meanwhile: directions are looked for by Newton's method.
     Wide,
-}
-
-/// Whether a hypothesis is asked beside others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Closed {
-    /// It says of all that holds and sticks together that it does.
-    Yes,
-    /// It is part of another one. It is asked only where no other kind is consistent: the one member that stands for all rates of a hypothesis need not be
-    /// where a part of them is.
-    No,
 }
 
 /// What was done with a hypothesis.
@@ -119,24 +110,33 @@ impl<const N: usize> RateProblem<'_, N> {
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it and its scaled slack to `reject`.
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
-        let mut answer = Answer::NONE;
-        for of in [Closed::Yes, Closed::No] {
-            for search in [Search::Certain, Search::Pairs, Search::Wide] {
-                if answer.count == 0 || (of == Closed::Yes && search < Search::Wide) {
-                    self.widen(of, search, &mut answer, reject);
-                }
-            }
-        }
-        answer
+        self.search(reject, |of, search| of == Closed::Yes && search < Search::Wide)
     }
 
     /// The solutions of the first search that finds any; `examined` says whether others may exist.
     pub fn solve_first(&self) -> Answer<N> {
+        self.search(&mut |_, _, _| {}, |_, _| false)
+    }
+
+    /// Searches until something is found; searches that are made `anyway` go on.
+    fn search(
+        &self,
+        reject: &mut impl FnMut(&[Guess; N], Condition, f64),
+        anyway: impl Fn(Closed, Search) -> bool,
+    ) -> Answer<N> {
         let mut answer = Answer::NONE;
+        if self.count > N.min(MOST_EXAMINED) {
+            return answer;
+        }
+        let (mut guesses, scale) = (Guesses::of(self), self.scale());
         for of in [Closed::Yes, Closed::No] {
+            if of == Closed::No && answer.count == 0 && self.count > MOST_IN_ALL {
+                answer.examined = false;
+                break;
+            }
             for search in [Search::Certain, Search::Pairs, Search::Wide] {
-                if answer.count == 0 {
-                    self.widen(of, search, &mut answer, &mut |_, _, _| {});
+                if answer.count == 0 || anyway(of, search) {
+                    guesses.each(of, &mut |guess| self.examine(guess, search, scale, &mut answer, reject));
                 }
             }
         }
@@ -147,7 +147,7 @@ impl<const N: usize> RateProblem<'_, N> {
     pub(in crate::spatial) fn first_of(&self, guess: &[Guess; N]) -> Option<Solution<N>> {
         let mut found = None;
         if !(0..self.count).all(|i| self.options(i).any(|option| option == guess[i]))
-            || !self.is_closed(guess)
+            || !Guesses::of(self).is_closed(guess)
         {
             return found;
         }
@@ -161,69 +161,38 @@ impl<const N: usize> RateProblem<'_, N> {
         found
     }
 
-    /// Tries the hypotheses of one search.
-    fn widen(
+    /// Tries a hypothesis in one search.
+    fn examine(
         &self,
-        closed: Closed,
+        guess: &[Guess; N],
         search: Search,
+        scale: f64,
         answer: &mut Answer<N>,
         reject: &mut impl FnMut(&[Guess; N], Condition, f64),
     ) {
-        if self.count > N.min(MOST_EXAMINED) {
-            return;
-        }
-        let scale = self.scale();
-        self.each_guess(|guess| {
-            if self.is_closed(guess) != (closed == Closed::Yes) {
-                return;
-            }
-            // Of the directions tried, the one that is nearest to being a solution says why there is none.
-            let mut nearest: Option<Rejection> = None;
-            let mut found = false;
-            let tried = self.each_start(guess, search, &mut |direction| {
-                let hypothesis = Hypothesis { problem: self, guess, direction: *direction };
-                match hypothesis.judge(&mut |solution| answer.keep(solution, self.count, scale)) {
-                    Ok(()) => found = true,
-                    Err(why) if nearest.is_none_or(|n| why.1 > n.1) => nearest = Some(why),
-                    Err(_) => {}
-                }
-            });
-            answer.examined &=
-                tried == Tried::ForCertain || (search > Search::Certain && tried == Tried::Elsewhere);
-            if !found && matches!(tried, Tried::ForCertain | Tried::Looked) {
-                let starting = guess.iter().position(|g| g.mode == Mode::Starts);
-                let none = starting.map_or(Condition::Solvable, Condition::Starts);
-                let (condition, slack) = nearest.unwrap_or((none, -1.0));
-                reject(guess, condition, slack);
+        // Of the directions tried, the one that is nearest to being a solution says why there is none.
+        let mut nearest: Option<Rejection> = None;
+        let mut found = false;
+        let tried = self.each_start(guess, search, &mut |direction| {
+            let hypothesis = Hypothesis { problem: self, guess, direction: *direction };
+            match hypothesis.judge(&mut |solution| answer.keep(solution, self.count, scale)) {
+                Ok(()) => found = true,
+                Err(why) if nearest.is_none_or(|n| why.1 > n.1) => nearest = Some(why),
+                Err(_) => {}
             }
         });
-    }
-
-    /// Steps like an odometer over the options of each contact.
-    fn each_guess(&self, mut visit: impl FnMut(&[Guess; N])) {
-        let mut options = [[Guess::OPEN; MOST_OPTIONS]; N];
-        let mut number = [0; N];
-        for i in 0..self.count {
-            for (place, option) in options[i].iter_mut().zip(self.options(i)) {
-                *place = option;
-                number[i] += 1;
-            }
-        }
-        let mut choice = [0; N];
-        let mut guess = options.map(|of| of[0]);
-        loop {
-            visit(&guess);
-            let Some(turned) = (0..self.count).find(|&i| choice[i] + 1 < number[i]) else { return };
-            choice[turned] += 1;
-            choice[..turned].fill(0);
-            for i in 0..=turned {
-                guess[i] = options[i][choice[i]];
-            }
+        answer.examined &=
+            tried == Tried::ForCertain || (search > Search::Certain && tried == Tried::Elsewhere);
+        if !found && matches!(tried, Tried::ForCertain | Tried::Looked) {
+            let starting = guess.iter().position(|g| g.mode == Mode::Starts);
+            let none = starting.map_or(Condition::Solvable, Condition::Starts);
+            let (condition, slack) = nearest.unwrap_or((none, -1.0));
+            reject(guess, condition, slack);
         }
     }
 
     /// The possibilities of contact i: those in which it does not hold, then those in which it does.
-    fn options(&self, i: usize) -> impl Iterator<Item = Guess> + Clone {
+    pub(super) fn options(&self, i: usize) -> impl Iterator<Item = Guess> + Clone {
         let (may_hold, base) = match self.load[i] {
             Load::Absent => (false, 0.0),
             Load::Touching(base) => (true, base),

@@ -7,22 +7,23 @@
 
 use super::equations::{Equations, Hypothesis, Unknowns};
 use crate::tolerance::RANK;
-use carom_num::Vec3;
 use carom_num::solve::{dot, solve_regular};
+use carom_num::{Basis, Vec3};
 
 /// After so many guesses of which contacts are lifted every set of them is tried.
 const MOST_GUESSES: usize = 8;
+/// Of so many contacts every set is tried, of more those that a plane can leave.
+const MOST_IN_ALL_SETS: usize = 8;
 
 /// The springs of a hypothesis.
 pub(super) struct Springs<'u, const M: usize> {
     unknowns: &'u Unknowns,
     base: [f64; M],
-    /// What small displacements of the bodies make of the unknowns, orthonormal, and how many they are.
-    axes: [[f64; M]; M],
-    rank: usize,
-    /// What each unknown does to the constraints, along the axes.
+    /// What small displacements of the bodies make of the unknowns.
+    basis: Basis<M>,
+    /// What each unknown does to the constraints, along the axes of the basis.
     does: [[f64; M]; M],
-    /// What all of them must do beyond their base loads, along the axes.
+    /// What all of them must do beyond their base loads, along them.
     must: [f64; M],
 }
 
@@ -33,6 +34,16 @@ pub(super) struct Sprung<const M: usize> {
     pub(super) x: [f64; M],
     /// By how much each would grow beyond its base load if every contact were pressed in or pulled out.
     pub(super) sinks: [f64; M],
+}
+
+/// Rates by equal springs where some contacts are lifted.
+#[derive(Clone, Copy)]
+pub(super) struct Rest<const M: usize> {
+    /// The contacts that are lifted, one bit each.
+    pub(super) lifted: u32,
+    pub(super) sprung: Sprung<M>,
+    /// True where none of them would carry.
+    pub(super) rests: bool,
 }
 
 impl<const N: usize> Hypothesis<'_, N> {
@@ -48,46 +59,33 @@ impl<const N: usize> Hypothesis<'_, N> {
         for (right, row) in right.iter_mut().zip(&equations.matrix).take(n) {
             *right -= dot(row, &base);
         }
-        let (axes, rank) = self.displacements::<M>(unknowns);
+        let basis = self.displacements::<M>(unknowns);
         let (mut does, mut must) = ([[0.0; M]; M], [0.0; M]);
-        for (a, axis) in axes[..rank].iter().enumerate() {
+        for (a, axis) in basis.axes().iter().enumerate() {
             must[a] = dot(axis, &right);
             for (part, row) in axis.iter().zip(&equations.matrix).take(n) {
                 does[a].iter_mut().zip(row).for_each(|(does, entry)| *does += part * entry);
             }
         }
         // Both sides are what displacements make: what is left of the right one, nothing does.
-        let left = (0..n).map(|k| right[k] - (0..rank).map(|a| axes[a][k] * must[a]).sum::<f64>());
-        let largest = right[..n].iter().fold(0.0, |m: f64, v| m.max(v.abs())).max(equations.terms);
-        let met = left.fold(0.0, |m: f64, v| m.max(v.abs())) <= RANK * largest;
-        met.then_some(Springs { unknowns, base, axes, rank, does, must })
+        let size = |v: &[f64; M]| v[..n].iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let met = size(&basis.left(right)) <= RANK * size(&right).max(equations.terms);
+        met.then_some(Springs { unknowns, base, basis, does, must })
     }
 
-    /// What small displacements of the bodies make of the unknowns, as orthonormal axes, and how many they are.
-    fn displacements<const M: usize>(&self, unknowns: &Unknowns) -> ([[f64; M]; M], usize) {
-        let of = unknowns.of();
+    /// What small displacements of the bodies make of the unknowns.
+    fn displacements<const M: usize>(&self, unknowns: &Unknowns) -> Basis<M> {
         let column = |&(j, by): &(usize, usize)| {
             let unit = [Vec3::X, Vec3::Y, Vec3::Z][by];
             unknowns.each::<M>(|(i, axis)| self.problem.operator[i][j].rows[axis].dot(unit))
         };
-        let (mut axes, mut rank) = ([[0.0; M]; M], 0);
-        let columns: Vec<[f64; M]> = of.iter().map(column).collect();
-        let largest = columns.iter().fold(0.0, |m: f64, c| m.max(dot(c, c))).sqrt();
-        for mut left in columns {
-            // Twice is enough for rounding.
-            for _ in 0..2 {
-                for axis in &axes[..rank] {
-                    let along = dot(&left, axis);
-                    left.iter_mut().zip(axis).for_each(|(l, a)| *l -= along * a);
-                }
-            }
-            let length = dot(&left, &left).sqrt();
-            if length > RANK * largest && rank < M {
-                axes[rank] = left.map(|l| l / length);
-                rank += 1;
-            }
-        }
-        (axes, rank)
+        let columns = || unknowns.of().iter().map(column);
+        let largest = columns().fold(0.0, |m: f64, c| m.max(dot(&c, &c))).sqrt();
+        let mut basis = Basis::NONE;
+        columns().for_each(|column| {
+            basis.take(column, RANK * largest);
+        });
+        basis
     }
 }
 
@@ -95,45 +93,105 @@ impl<const M: usize> Springs<'_, M> {
     /// The rates where these contacts, one bit each, are lifted; `None` where the others cannot do what the hypothesis says.
     pub(super) fn sprung(&self, lifted: u32) -> Option<Sprung<M>> {
         let carries = self.unknowns.each::<M>(|(i, _)| if lifted & (1 << i) == 0 { 1.0 } else { 0.0 });
+        let axes = self.basis.axes();
         let mut matrix = [[0.0; M]; M];
-        for (row, does) in matrix[..self.rank].iter_mut().zip(&self.does) {
+        for (row, does) in matrix[..axes.len()].iter_mut().zip(&self.does) {
             let by: [f64; M] = std::array::from_fn(|c| carries[c] * does[c]);
-            row.iter_mut().zip(&self.axes[..self.rank]).for_each(|(entry, axis)| *entry = dot(&by, axis));
+            row.iter_mut().zip(axes).for_each(|(entry, axis)| *entry = dot(&by, axis));
         }
-        let z = solve_regular(matrix, self.must, self.rank, RANK)?;
-        let sinks = std::array::from_fn(|k| (0..self.rank).map(|a| self.axes[a][k] * z[a]).sum());
+        let z = solve_regular(matrix, self.must, axes.len(), RANK)?;
+        let sinks = std::array::from_fn(|k| axes.iter().zip(z).map(|(axis, z)| axis[k] * z).sum());
         Some(Sprung { x: std::array::from_fn(|k| self.base[k] + carries[k] * sinks[k]), sinks })
     }
 
-    /// The rates where these contacts are lifted, if they are those that would pull.
-    fn resting(&self, lifted: u32) -> Result<Sprung<M>, Option<u32>> {
-        let sprung = self.sprung(lifted).ok_or(None)?;
+    /// The rates where these contacts are lifted, and whether they rest so; `None` where another one would pull.
+    fn rest(&self, lifted: u32) -> (u32, Option<Rest<M>>) {
+        let Some(sprung) = self.sprung(lifted) else { return (lifted, None) };
         let pulled = self.unknowns.pulled(&sprung.sinks);
-        if pulled == lifted { Ok(sprung) } else { Err(Some(pulled)) }
+        let pushes = pulled & !lifted == 0;
+        (pulled, pushes.then_some(Rest { lifted, sprung, rests: pulled == lifted }))
     }
 
-    /// A set of lifted contacts, one bit each, of which exactly those that are lifted would pull, and the rates. It is guessed.
-    pub(super) fn guessed(&self) -> Option<(u32, Sprung<M>)> {
-        let mut lifted = 0;
+    /// A way in which contacts may be lifted. It is guessed, from those that would pull if the guess before were true.
+    pub(super) fn guessed(&self) -> Option<Rest<M>> {
+        let (mut lifted, mut nearly) = (0, None);
         for _ in 0..MOST_GUESSES {
-            match self.resting(lifted) {
-                Ok(sprung) => return Some((lifted, sprung)),
-                Err(pulled) => lifted = pulled?,
+            let (pulled, rest) = self.rest(lifted);
+            nearly = rest.or(nearly);
+            if pulled == lifted {
+                break;
+            }
+            lifted = pulled;
+        }
+        nearly
+    }
+
+    /// All ways in which contacts may be lifted and rest so. Where what slides brakes unequally they may be more than one, or none: then the one that is
+    /// nearest to it, in which those that are lifted by too much would carry least.
+    pub(super) fn all(&self) -> Vec<Rest<M>> {
+        let (mut all, mut nearest) = (vec![], None::<(f64, Rest<M>)>);
+        for rest in self.sets().into_iter().filter_map(|set| self.rest(set).1) {
+            if rest.rests {
+                all.push(rest);
+                continue;
+            }
+            let too_far = self
+                .unknowns
+                .each::<M>(|(i, axis)| f64::from(u8::from(axis == 2 && rest.lifted >> i & 1 == 1)));
+            let by = dot(&too_far, &rest.sprung.sinks.map(|sink| sink.max(0.0)));
+            if nearest.is_none_or(|(least, _)| by < least) {
+                nearest = Some((by, rest));
             }
         }
-        None
+        if all.is_empty() {
+            all.extend(nearest.map(|(_, rest)| rest));
+        }
+        all
     }
 
-    /// All such sets. Where what slides brakes unequally there may be more than one of them.
-    pub(super) fn all(&self) -> impl Iterator<Item = (u32, Sprung<M>)> {
-        let holding = self.unknowns.pulled(&self.unknowns.each::<M>(|_| -1.0));
-        let mut next = Some(0);
-        let sets = std::iter::from_fn(move || {
-            let set = next?;
-            // The next larger number whose bits are all of contacts that hold.
-            next = Some((set | !holding).wrapping_add(1) & holding).filter(|&next| next != 0);
-            Some(set)
-        });
-        sets.filter_map(|set| Some((set, self.resting(set).ok()?)))
+    /// Sets of lifted contacts, one bit each.
+    fn sets(&self) -> Vec<u32> {
+        let normal = |&k: &usize| self.unknowns.of()[k].1 == 2;
+        let holding: Vec<usize> = (0..self.unknowns.count).filter(normal).collect();
+        let bits = |which: &dyn Fn(usize) -> bool| {
+            let lifted = holding.iter().filter(|&&k| which(k));
+            lifted.fold(0u32, |bits, &k| bits | 1 << self.unknowns.of()[k].0)
+        };
+        if holding.len() > MOST_IN_ALL_SETS {
+            return self.beyond_lines(&holding, &bits);
+        }
+        let all = 0..1usize << holding.len();
+        all.map(|set| bits(&|k| holding.iter().position(|h| *h == k).is_some_and(|h| set >> h & 1 == 1)))
+            .collect()
+    }
+
+    /// The sets of lifted contacts that a plane which sinks in can leave: those on one side of a line. A line that parts them can be moved until it goes
+    /// through two contacts.
+    fn beyond_lines(&self, holding: &[usize], bits: &dyn Fn(&dyn Fn(usize) -> bool) -> u32) -> Vec<u32> {
+        let mut planes = Basis::<M>::NONE;
+        for axis in self.basis.axes() {
+            let normal: [f64; M] = self.unknowns.each(|(_, of)| if of == 2 { 1.0 } else { 0.0 });
+            planes.take(std::array::from_fn(|k| axis[k] * normal[k]), RANK);
+        }
+        let mut sets = vec![0];
+        let &[a, b, c] = planes.axes() else { return sets };
+        let at = |k: usize| Vec3::new(a[k], b[k], c[k]);
+        for (n, &i) in holding.iter().enumerate() {
+            for &j in &holding[..n] {
+                let line = at(i).cross(at(j));
+                for (side, with_i, with_j) in
+                    (0..8).map(|way| (if way & 4 == 0 { 1.0 } else { -1.0 }, way & 1 == 0, way & 2 == 0))
+                {
+                    sets.push(bits(&|k| match k {
+                        _ if k == i => with_i,
+                        _ if k == j => with_j,
+                        _ => line.dot(at(k)) * side > 0.0,
+                    }));
+                }
+            }
+        }
+        sets.sort_unstable();
+        sets.dedup();
+        sets
     }
 }

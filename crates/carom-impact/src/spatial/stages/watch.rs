@@ -39,9 +39,14 @@ impl<const N: usize> Watch<N> {
     /// Where rates are not known, nothing is.
     const UNKNOWN: Self = Self { contact: [[f64::NAN; OF_CONTACT]; N], common: [f64::NAN; 2] };
 
-    /// What keeps functions that start at their edge from falling at once.
+    /// What keeps functions that start at their edge from falling at once. A contact that is lifted by too much, because equal springs find no rest, is not
+    /// watched.
     pub(super) fn lift(&self) -> Self {
-        let lift = |f: f64, edge: f64| if f < edge { edge - f.min(0.0) } else { 0.0 };
+        let lift = |f: f64, edge: f64| match f {
+            _ if f >= edge => 0.0,
+            _ if f < -AT_EDGE_OF_CURVE => 1.0 - f,
+            _ => edge - f.min(0.0),
+        };
         // A debt is paid to the last: what is left of it, however little, is the square of a velocity.
         let edge = |kind: usize| match kind {
             0 => TOUCHING_EDGE,
