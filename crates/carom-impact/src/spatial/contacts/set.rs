@@ -8,7 +8,7 @@ use carom_num::principal::principal;
 use carom_num::{Mat3, Vec3};
 
 /// Most contacts of which every hypothesis is tried.
-pub const MOST_EXAMINED: usize = 8;
+pub const MOST_EXAMINED: usize = 16;
 
 /// A free rigid body at one instant.
 ///
@@ -242,7 +242,7 @@ impl<const N: usize> ContactSet<N> {
     /// Whether the set can be resolved at all.
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0,
+    /// [`ImpactError::TooMany`] above [`MOST_EXAMINED`] contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0,
     /// restitution outside 0…1, or the first contact whose own response is not positive.
     pub fn check(&self) -> Result<(), ImpactError> {
         let most = MOST_EXAMINED.min(N);

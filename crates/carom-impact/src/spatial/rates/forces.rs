@@ -4,14 +4,15 @@
 //! largest smallest value is found by cutting planes: the cone is replaced by planes that touch it, one more wherever the last point was outside.
 
 use super::answer::Mode;
-use super::equations::{Hypothesis, Unknowns};
+use super::equations::{Hypothesis, MOST, Unknowns};
 use crate::tolerance::KNOWN_SLACK;
 use carom_num::Vec3;
 use carom_num::slack::Slacks;
 use carom_num::solve::Solutions;
 
-/// Cutting planes of all cones together.
+/// Cutting planes of all cones together: four of each to begin with, and so many in all, or so many more.
 const MOST_CUTS: usize = 36;
+const MORE_CUTS: usize = 4;
 /// A rate that is ample, in units of what one contact alone would need.
 const AMPLE: f64 = 10.0;
 
@@ -25,15 +26,23 @@ struct Plane {
 impl<const N: usize> Hypothesis<'_, N> {
     /// The member of a family whose smallest slack is largest.
     pub(in crate::spatial) fn middle(&self) -> Option<[Vec3; N]> {
-        let (family, unknowns) = self.family()?;
+        let unknowns = self.unknowns();
+        match unknowns.count {
+            0..=24 => self.middle_sized::<24>(&unknowns),
+            _ => self.middle_sized::<MOST>(&unknowns),
+        }
+    }
+
+    fn middle_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<[Vec3; N]> {
+        let family = self.family::<M>(unknowns)?;
         let unit = self.ample_rate();
         if family.freedom == 0 || unit == 0.0 {
-            return Some(self.spread(&family.point, &unknowns));
+            return Some(self.spread(&family.point, unknowns));
         }
         // In units of the ample rate, so that no unit of impulse or force decides.
-        let rates = self.spread(&family.point, &unknowns).map(|p| p / unit);
+        let rates = self.spread(&family.point, unknowns).map(|p| p / unit);
         let free: Vec<[Vec3; N]> =
-            family.free[..family.freedom].iter().map(|d| self.direct(d, &unknowns)).collect();
+            family.free[..family.freedom].iter().map(|d| self.direct(d, unknowns)).collect();
         let mut planes = vec![];
         for of in self.sticking() {
             for toward in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
@@ -41,9 +50,10 @@ impl<const N: usize> Hypothesis<'_, N> {
             }
         }
         // The planes promise more than the cones give, and a later point may give less than an earlier one: the best is kept.
-        let mut best = (f64::NEG_INFINITY, [0.0; 24]);
-        while planes.len() <= MOST_CUTS {
-            let (z, promised) = self.most(&planes, &rates, &free)?;
+        let mut best = (f64::NEG_INFINITY, [0.0; M]);
+        let most = MOST_CUTS.max(planes.len() + MORE_CUTS);
+        while planes.len() <= most {
+            let (z, promised) = self.most::<M>(&planes, &rates, &free)?;
             let at: [Vec3; N] = std::array::from_fn(|i| {
                 free.iter().zip(&z).fold(rates[i], |p, (direction, z)| p + direction[i] * *z)
             });
@@ -55,10 +65,10 @@ impl<const N: usize> Hypothesis<'_, N> {
             let tangential = (at[of].x * at[of].x + at[of].y * at[of].y).sqrt();
             planes.push(Plane { of, toward: [at[of].x / tangential, at[of].y / tangential] });
         }
-        Some(self.moved(&family, &unknowns, &best.1.map(|z| z * unit)))
+        Some(self.moved(&family, unknowns, &best.1.map(|z| z * unit)))
     }
 
-    fn moved(&self, family: &Solutions<24>, unknowns: &Unknowns, by: &[f64; 24]) -> [Vec3; N] {
+    fn moved<const M: usize>(&self, family: &Solutions<M>, unknowns: &Unknowns, by: &[f64; M]) -> [Vec3; N] {
         let mut x = family.point;
         for (by, direction) in by.iter().zip(&family.free[..family.freedom]) {
             x.iter_mut().zip(direction).for_each(|(x, d)| *x += by * d);
@@ -75,9 +85,14 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 
     /// The largest smallest slack over these planes, at most 1, and where.
-    fn most(&self, planes: &[Plane], rates: &[Vec3; N], free: &[[Vec3; N]]) -> Option<([f64; 24], f64)> {
+    fn most<const M: usize>(
+        &self,
+        planes: &[Plane],
+        rates: &[Vec3; N],
+        free: &[[Vec3; N]],
+    ) -> Option<([f64; M], f64)> {
         let unit = self.ample_rate();
-        let mut slacks = Slacks::<24>::of(free.len());
+        let mut slacks = Slacks::<M>::of(free.len());
         for i in self.holding() {
             slacks.push(rates[i].z - self.problem.base(i) / unit, |d| free[d][i].z);
         }

@@ -9,7 +9,7 @@
 //! they are halved again and again. Where the motions that follow surround the assumed one there is such a place, and Newton's method goes to it.
 
 use super::answer::{Guess, Mode};
-use super::equations::{Hypothesis, component};
+use super::equations::{Hypothesis, MOST, component};
 use super::rate::RateProblem;
 use super::starts::{Directions, additive};
 use crate::tolerance::{MAY_PUSH_BESIDE, NO_MOTION, RANK};
@@ -21,8 +21,6 @@ use std::f64::consts::TAU;
 
 /// Most motions that are searched.
 const MOST_FREEDOM: usize = 8;
-/// Most unknown rates: three for each of eight contacts.
-const MOST: usize = 24;
 /// Triangles of the icosahedron are halved this often whatever is in them: their sides are 0.3 rad then.
 const ALWAYS: u32 = 2;
 /// And at most so often: 1e-3 rad.
@@ -75,6 +73,7 @@ impl<const N: usize> RateProblem<'_, N> {
         let all = match active {
             0..=2 => self.slips_left::<6>(guess, starting),
             3..=4 => self.slips_left::<12>(guess, starting),
+            5..=8 => self.slips_left::<24>(guess, starting),
             _ => self.slips_left::<MOST>(guess, starting),
         };
         Some(Motions { problem: self, guess, direction, basis: independent(all)? })

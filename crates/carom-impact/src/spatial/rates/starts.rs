@@ -14,6 +14,7 @@ use super::motions::Motions;
 use super::rate::{RateProblem, Search, Tried};
 use super::reduced::Reduced;
 use crate::Load;
+use crate::spatial::contacts::set::MOST_EXAMINED;
 use crate::tolerance::{HELD, SAME_DIRECTION, START_ARRIVED, START_DIFFERENCE, START_RANK, START_ROUNDING};
 use carom_num::elementary::{atan2, sin_cos};
 use carom_num::solve::solve_regular;
@@ -21,7 +22,7 @@ use carom_num::{Mat3, Vec3};
 use std::f64::consts::TAU;
 
 /// Contacts that start at once, at most.
-pub(super) const MOST: usize = 8;
+pub(super) const MOST: usize = MOST_EXAMINED;
 /// Directions spread evenly, for each contact of the first four.
 const SEEDS: usize = 12;
 /// Newton's steps, and what they may be at most [rad].
@@ -243,9 +244,10 @@ fn spread(seed: usize, k: usize) -> [f64; MOST] {
     std::array::from_fn(|axis| if axis < k { TAU * additive(seed, axis) } else { 0.0 })
 }
 
-/// The numbers of an additive recurrence, spread evenly over [0, 1) in each of eight axes and in all together.
+/// The numbers of an additive recurrence, spread evenly over [0, 1) in each axis and in all together.
 pub(super) fn additive(number: usize, axis: usize) -> f64 {
-    const ROOTS: [f64; MOST] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
+    const ROOTS: [f64; MOST] =
+        [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0, 31.0, 37.0, 41.0, 43.0, 47.0, 53.0];
     #[expect(clippy::cast_precision_loss, reason = "small counts")]
     let n = number as f64;
     (0.3 + n * ROOTS[axis].sqrt()).fract()

@@ -185,7 +185,7 @@ const MOST_HALVINGS: u32 = 40;
 /// No contact approaches after; normal impulses push and tangential ones stay within the cone; energy grows under Newton's law only.
 ///
 /// # Errors
-/// [`ImpactError::TooMany`] above eight contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
+/// [`ImpactError::TooMany`] above [`MOST_EXAMINED`](crate::spatial::MOST_EXAMINED) contacts; [`ImpactError::OutsideDomain`] with the first quantity that no contact has;
 /// [`ImpactError::Overflow`] where a result is not finite; [`ImpactError::Jammed`] where no hypothesis is consistent and no slip is left to
 /// stop, where the motion is lost in rounding, or where the impulses do not account for the change of the velocities;
 /// [`ImpactError::Unending`] after a budget of stages.

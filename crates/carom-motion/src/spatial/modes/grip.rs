@@ -2,11 +2,12 @@
 
 use crate::spatial::geometry::body::Body;
 use crate::tolerance::MODE_RANK;
-use carom_num::Vec3;
-use carom_num::solve::{solve_any, solve_regular};
+use carom_impact::spatial::MOST_EXAMINED;
+use carom_num::solve::{dot, solve_regular};
+use carom_num::{Basis, Vec3};
 
 /// Supports that carry a body at once, at most.
-pub(in crate::spatial) const MOST_BEARING: usize = 8;
+pub(in crate::spatial) const MOST_BEARING: usize = MOST_EXAMINED;
 /// Unknown forces: one for each support that slides, three for each that sticks.
 const MOST: usize = 3 * MOST_BEARING;
 
@@ -57,7 +58,7 @@ struct Push {
 }
 
 impl Grip<'_> {
-    /// The forces under which no support moves along the normal, and none that sticks moves at all. Of a family of such forces, the shortest. `None`
+    /// The forces under which no support moves along the normal, and none that sticks moves at all. Of a family of such forces, those of equal springs. `None`
     /// where there are none.
     pub(in crate::spatial) fn reactions(&self) -> Option<Reactions> {
         let (pushes, count) = self.pushes();
@@ -72,6 +73,7 @@ impl Grip<'_> {
             }
             2..=4 => self.solved::<4>(pushes),
             5..=10 => self.solved::<10>(pushes),
+            11..=24 => self.solved::<24>(pushes),
             _ => self.solved::<MOST>(pushes),
         }
     }
@@ -110,9 +112,46 @@ impl Grip<'_> {
         if let Some(x) = solve_regular(matrix, right, pushes.len(), MODE_RANK) {
             return Some(self.of(&x, pushes, 1.0));
         }
-        let mut family = solve_any(matrix, right, pushes.len(), MODE_RANK)?;
-        family.shorten();
-        Some(self.of(&family.point, pushes, 1.0))
+        self.sprung(&matrix, &right, pushes)
+    }
+
+    /// The forces of equal springs, where supports that hold more than they must share what they carry: each in proportion to how far the body sinks in there.
+    fn sprung<const M: usize>(
+        &self,
+        matrix: &[[f64; M]; M],
+        right: &[f64; M],
+        pushes: &[Push],
+    ) -> Option<Reactions> {
+        let moved = |by: &Push| {
+            let (force, moment) = (by.axis, self.bearings[by.of].arm.cross(by.axis));
+            (force / self.body.mass(), self.body.mobility() * moment)
+        };
+        let (mut basis, mut columns) = (Basis::NONE, [[0.0; M]; M]);
+        for (column, by) in columns.iter_mut().zip(pushes) {
+            let (linear, angular) = moved(by);
+            for (entry, of) in column.iter_mut().zip(pushes) {
+                *entry = of.axis.dot(linear + angular.cross(self.bearings[of.of].arm));
+            }
+        }
+        let largest = columns.iter().fold(0.0, |m: f64, c| m.max(dot(c, c))).sqrt();
+        columns[..pushes.len()].iter().for_each(|column| {
+            basis.take(*column, MODE_RANK * largest);
+        });
+        let axes = basis.axes();
+        let (mut along, mut must) = ([[0.0; M]; M], [0.0; M]);
+        for (a, axis) in axes.iter().enumerate() {
+            must[a] = dot(axis, right);
+            let does: [f64; M] =
+                std::array::from_fn(|c| (0..pushes.len()).map(|k| axis[k] * matrix[k][c]).sum());
+            along[a].iter_mut().zip(axes).for_each(|(entry, other)| *entry = dot(&does, other));
+        }
+        let size = |v: &[f64; M]| v.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        if size(&basis.left(*right)) > MODE_RANK * size(right) {
+            return None;
+        }
+        let z = solve_regular(along, must, axes.len(), MODE_RANK)?;
+        let x: [f64; M] = std::array::from_fn(|k| axes.iter().zip(z).map(|(axis, z)| axis[k] * z).sum());
+        Some(self.of(&x, pushes, 1.0))
     }
 
     fn of(&self, x: &[f64], pushes: &[Push], regularity: f64) -> Reactions {

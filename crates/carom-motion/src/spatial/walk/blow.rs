@@ -81,7 +81,8 @@ impl Walker<'_> {
         match touching.len() {
             0..=2 => self.blow_sized::<2>(touching, press),
             3..=4 => self.blow_sized::<4>(touching, press),
-            5..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, press),
+            5..=8 => self.blow_sized::<8>(touching, press),
+            9..=MOST_BEARING => self.blow_sized::<MOST_BEARING>(touching, press),
             count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }

@@ -179,7 +179,8 @@ impl Walker<'_> {
         match asked.len() {
             0..=2 => self.ask_rough_sized::<2>(asked),
             3..=4 => self.ask_rough_sized::<4>(asked),
-            5..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked),
+            5..=8 => self.ask_rough_sized::<8>(asked),
+            9..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked),
             count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }

@@ -1,7 +1,6 @@
 //! A polyhedron that is thrown on the plane.
 
 use super::body_shape::{self, ThrownShape};
-use super::rough::MOST_ROUGH;
 use super::setup::{MOST_POINTS, Setup, SpatialDrawing, triple};
 use crate::grammar::Section;
 use crate::grammar::kind::{LENGTH_OR_NONE, SPEED, SPIN_RATE};
@@ -10,7 +9,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
 use crate::unit::Dimension;
-use carom_impact::spatial::RigidBody;
+use carom_impact::spatial::{MOST_EXAMINED, RigidBody};
 use carom_motion::spatial::{Body, BodyProblem, Stance, State, Supports};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Rotation, Vec3};
@@ -223,35 +222,22 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
         let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
         root.push(problem.with_help(help));
     };
-    // With friction a corner may open, stick or slip, without it only keep or open: fewer can then be followed at once.
+    // Without friction every set of corners that keep is asked for, with friction only faces, edges and corners.
     let rough = root.has("friction");
-    let most = if rough { MOST_ROUGH } else { MOST_POINTS as usize };
+    let most = if rough { MOST_EXAMINED } else { MOST_POINTS as usize };
     let wide = hull.faces().iter().filter(|face| face.corners.len() > most).count();
     if wide > 0 {
         let largest = hull.faces().iter().map(|face| face.corners.len()).max().unwrap_or_default();
         let have = if wide == 1 { "1 of its faces has" } else { &format!("{wide} of its faces have") };
-        let why = "all corners of a face can touch at once, and";
-        if rough {
-            let message = format!(
-                "{have} more than {most} corners, up to {largest}: {why} with friction at most {most} contacts are followed"
-            );
-            let help = if largest <= MOST_POINTS as usize {
-                format!(
-                    "draw its circles with at most {most} sides, or follow it without friction, where nothing slides"
-                )
-            } else {
-                format!("draw its circles with fewer sides, at most {most}; without friction {MOST_POINTS}")
-            };
-            told(message, help);
+        let (with, other) = if rough {
+            ("with friction ", format!("without friction {MOST_POINTS}"))
         } else {
-            let message = format!(
-                "{have} more than {most} corners, up to {largest}: {why} at most {most} contacts are followed"
-            );
-            told(
-                message,
-                format!("draw its circles with fewer sides, at most {most}; with friction {MOST_ROUGH}"),
-            );
-        }
+            ("without friction ", format!("with friction {MOST_EXAMINED}"))
+        };
+        let message = format!(
+            "{have} more than {most} corners, up to {largest}: all corners of a face can touch at once, and {with}at most {most} contacts are followed"
+        );
+        told(message, format!("draw its circles with fewer sides, at most {most}; {other}"));
     }
     let count = hull.vertices().len();
     if count > Supports::MOST {

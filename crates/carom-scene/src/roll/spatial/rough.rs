@@ -7,9 +7,6 @@ use carom_impact::Law;
 use carom_motion::spatial::{Friction, World};
 use carom_words::Words;
 
-/// More contacts than these at once are not enumerated with friction.
-pub(super) const MOST_ROUGH: usize = 8;
-
 /// The friction that a file writes; `None` for the non-sliding law.
 pub(super) fn read(root: &Section<'_>) -> Option<Friction> {
     let (friction, restitution) = (root.value("friction"), root.number("restitution"));

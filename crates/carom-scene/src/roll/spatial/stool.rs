@@ -1,7 +1,6 @@
 //! A body on n supports, evenly on a circle, that is let go standing on one of them.
 
 use super::homogeneous;
-use super::rough::MOST_ROUGH;
 use super::setup::{MassSpec, Setup, SpatialDrawing, count, triple};
 use crate::grammar::Section;
 use crate::roll::bodies::unfit;
@@ -64,14 +63,6 @@ fn form(root: &Section<'_>) -> Option<Form> {
     let centre = root.value("centre_height");
     let height = root.value("height").or(centre.map(|c| 2.0 * c)).unwrap_or(DEFAULT_RATIO * radius);
     let supports = supports?;
-    if root.has("friction") && supports as usize > MOST_ROUGH {
-        unfit(
-            root,
-            "supports",
-            format!("must be at most {MOST_ROUGH} with friction: more contacts at once are not enumerated"),
-        );
-        return None;
-    }
     Some(Form { supports, radius, centre: 0.5 * height, height })
 }
 
