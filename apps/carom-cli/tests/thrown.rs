@@ -18,7 +18,7 @@ says! {
     body_with_an_impossible_inertia: [
         "roll", "body", "--set", "inertia=[1, 1, 3]", "--set", "height=-1 mm", "--set", "friction=-1",
     ];
-    many_corners_with_friction: ["roll", "body", "bolt.stl", "--set", "friction=0.3"];
+    bolt_with_friction: ["roll", "body", "bolt.stl", "--set", "friction=0.3"];
     flat_body: [
         "roll", "body", "--set",
         "vertices=[['0 m', '0 m', '0 m'], ['10 mm', '0 m', '0 m'], ['0 m', '10 mm', '0 m'], ['10 mm', '10 mm', '1e-6 mm']]",

@@ -144,11 +144,11 @@ fn falls<const N: usize>() -> Vec<spatial::ContactSet<N>> {
     (0..PASS / 10).filter_map(|i| fall(i).ok()).collect()
 }
 
-/// Hexagonal plates that tip over one edge and fall flat on all six corners: each starts to slip from rest.
-fn tips() -> Vec<spatial::ContactSet<6>> {
+/// Plates of N corners that tip over one edge and fall flat on all of them: each starts to slip from rest.
+fn tips<const N: usize>() -> Vec<spatial::ContactSet<N>> {
     let tip = |i: usize| {
         let corner = |k: usize| {
-            let (sin, cos) = carom_num::elementary::sin_cos(std::f64::consts::TAU * (k as f64) / 6.0);
+            let (sin, cos) = carom_num::elementary::sin_cos(std::f64::consts::TAU * (k as f64) / N as f64);
             Vec3::new(cos, sin, -0.2 - 0.3 * spread(7 * i))
         };
         let spin = (corner(0) - corner(1)) * (0.5 + spread(11 * i));
@@ -160,7 +160,7 @@ fn tips() -> Vec<spatial::ContactSet<6>> {
         };
         let (normal, friction) = (Vec3::Z, 0.05 + 0.5 * spread(19 * i));
         let touch = |k: usize| spatial::Touch { arm: corner(k), normal, friction, restitution: 0.5 };
-        let touches: Vec<_> = (0..6).map(touch).collect();
+        let touches: Vec<_> = (0..N).map(touch).collect();
         spatial::ContactSet::of_free_body(&body, &touches)
     };
     (0..PASS / 100).filter_map(|i| tip(i).ok()).collect()
@@ -187,7 +187,8 @@ fn time_space(c: &mut Criterion) {
     time_walks(c, ("1 contacts", 100), &falls::<1>());
     time_walks(c, ("2 contacts", 100), &falls::<2>());
     time_walks(c, ("4 contacts", 100), &falls::<4>());
-    time_walks(c, ("6 contacts of a face, from rest", 10), &tips());
+    time_walks(c, ("6 contacts of a face, from rest", 10), &tips::<6>());
+    time_walks(c, ("12 contacts of a face, from rest", 10), &tips::<12>());
 }
 
 criterion_group!(benches, time_single, time_two, time_end_states, time_space);

@@ -78,28 +78,61 @@ impl<const M: usize> Equations<M> {
     }
 }
 
-impl<const N: usize> Hypothesis<'_, N> {
-    /// The rates that the hypothesis demands, as equal springs share them; `None` where its equations contradict each other.
-    pub(in crate::spatial) fn rates(&self) -> Option<Found<N>> {
-        let mut first = None;
-        self.each_rates(false, &mut |found| first = first.or(Some(found)));
-        first
-    }
-
-    /// Hands over the rates that the hypothesis demands. Equal springs share them, of which more than one set may be lifted: all of these are asked for if
-    /// `all` is said and they make a difference to the motion. Where some contact would pull whichever are lifted, the rates are those where none is.
-    pub(super) fn each_rates(&self, all: bool, visit: &mut impl FnMut(Found<N>)) {
-        let unknowns = self.unknowns();
-        match unknowns.count {
-            0..=3 => self.each_sized::<3>(&unknowns, all, visit),
-            4..=6 => self.each_sized::<6>(&unknowns, all, visit),
-            7..=12 => self.each_sized::<12>(&unknowns, all, visit),
-            13..=24 => self.each_sized::<24>(&unknowns, all, visit),
-            _ => self.each_sized::<MOST>(&unknowns, all, visit),
+/// Calls a method with the size of arrays that its unknowns need.
+macro_rules! sized {
+    ($self:ident.$method:ident($unknowns:expr $(, $more:expr)*)) => {
+        match $unknowns.count {
+            0..=3 => $self.$method::<3>($unknowns $(, $more)*),
+            4..=6 => $self.$method::<6>($unknowns $(, $more)*),
+            7..=12 => $self.$method::<12>($unknowns $(, $more)*),
+            13..=24 => $self.$method::<24>($unknowns $(, $more)*),
+            _ => $self.$method::<MOST>($unknowns $(, $more)*),
         }
+    };
+}
+
+impl<const N: usize> Hypothesis<'_, N> {
+    /// The rates that the hypothesis demands; `None` where its equations leave some open, or contradict each other.
+    pub(super) fn determined(&self) -> Option<[Vec3; N]> {
+        let unknowns = self.unknowns();
+        sized!(self.determined_sized(&unknowns))
     }
 
-    fn each_sized<const M: usize>(&self, unknowns: &Unknowns, all: bool, visit: &mut impl FnMut(Found<N>)) {
+    /// The rates that the hypothesis demands, as equal springs share them; `None` where its equations contradict each other.
+    pub(super) fn shared(&self) -> Option<[Vec3; N]> {
+        let unknowns = self.unknowns();
+        sized!(self.shared_sized(&unknowns))
+    }
+
+    /// Hands over the rates that the hypothesis demands. Equal springs share them, of which more than one set may be lifted: all of these are asked for where
+    /// they make a difference to the motion. Where some contact would pull whichever are lifted, the rates are those where none is.
+    pub(super) fn each_rates(&self, visit: &mut impl FnMut(Found<N>)) {
+        let unknowns = self.unknowns();
+        sized!(self.each_sized(&unknowns, visit));
+    }
+
+    /// The rates where these contacts, one bit each, are lifted, and by how much each contact sinks in.
+    pub(in crate::spatial) fn sprung_by(&self, lifted: u32) -> Option<([Vec3; N], [f64; N])> {
+        let unknowns = self.unknowns();
+        sized!(self.sprung_sized(&unknowns, lifted))
+    }
+
+    fn determined_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<[Vec3; N]> {
+        let Equations { matrix, right, .. } = self.equations::<M>(unknowns);
+        solve_regular(matrix, right, unknowns.count, RANK).map(|x| self.spread(&x, unknowns))
+    }
+
+    fn shared_sized<const M: usize>(&self, unknowns: &Unknowns) -> Option<[Vec3; N]> {
+        let equations = self.equations::<M>(unknowns);
+        if let Some(x) = solve_regular(equations.matrix, equations.right, unknowns.count, RANK) {
+            return Some(self.spread(&x, unknowns));
+        }
+        let springs = self.springs(unknowns, &equations)?;
+        let sprung = springs.guessed().map(|rest| rest.sprung).or_else(|| springs.sprung(0))?;
+        Some(self.spread(&sprung.x, unknowns))
+    }
+
+    fn each_sized<const M: usize>(&self, unknowns: &Unknowns, visit: &mut impl FnMut(Found<N>)) {
         let equations = self.equations::<M>(unknowns);
         let mut hand = |x: &[f64; M], freedom, lifted| {
             visit(Found { rates: self.spread(x, unknowns), freedom, member: Member::Springs(lifted) });
@@ -112,15 +145,14 @@ impl<const N: usize> Hypothesis<'_, N> {
         let moves = family.free[..family.freedom].iter().any(|free| self.moves(&self.direct(free, unknowns)));
         let freedom = if moves { Freedom::Motion } else { Freedom::Rates };
         let guessed = springs.guessed();
-        let rests = guessed.is_some_and(|rest| rest.rests);
-        let mut ways: Vec<_> = guessed.into_iter().collect();
-        if all && (moves || !rests) {
-            let mut others = springs.all();
-            others.retain(|other| !rests || Some(other.lifted) != guessed.map(|rest| rest.lifted));
-            if !rests && !others.is_empty() {
-                ways.clear();
-            }
-            ways.extend(others);
+        let rests = guessed.filter(|rest| rest.rests);
+        let mut ways: Vec<_> = rests.into_iter().collect();
+        if moves || rests.is_none() {
+            let others = springs.all().into_iter();
+            ways.extend(others.filter(|other| rests.is_none_or(|rest| rest.lifted != other.lifted)));
+        }
+        if ways.is_empty() {
+            ways.extend(guessed);
         }
         for rest in &ways {
             hand(&rest.sprung.x, freedom, rest.lifted);
@@ -129,18 +161,6 @@ impl<const N: usize> Hypothesis<'_, N> {
             && let Some(sprung) = springs.sprung(0)
         {
             hand(&sprung.x, freedom, 0);
-        }
-    }
-
-    /// The rates where these contacts, one bit each, are lifted, and by how much each contact sinks in.
-    pub(in crate::spatial) fn sprung_by(&self, lifted: u32) -> Option<([Vec3; N], [f64; N])> {
-        let unknowns = self.unknowns();
-        match unknowns.count {
-            0..=3 => self.sprung_sized::<3>(&unknowns, lifted),
-            4..=6 => self.sprung_sized::<6>(&unknowns, lifted),
-            7..=12 => self.sprung_sized::<12>(&unknowns, lifted),
-            13..=24 => self.sprung_sized::<24>(&unknowns, lifted),
-            _ => self.sprung_sized::<MOST>(&unknowns, lifted),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Rates that a hypothesis leaves open, where the shortest of them break an inequality: the member whose smallest slack is largest.
+//! Rates that a hypothesis leaves open, where those of equal springs break an inequality: the member whose smallest slack is largest.
 //!
 //! Slacks are the normal rates above their base loads and, of sticking contacts, what is left of the friction cone, `μ r − |q|`. That is concave, so its
 //! largest smallest value is found by cutting planes: the cone is replaced by planes that touch it, one more wherever the last point was outside.

@@ -190,7 +190,7 @@ impl<const N: usize> Motions<'_, N> {
             return None;
         }
         let hypothesis = Hypothesis { problem: self.problem, guess: self.guess, direction };
-        let rates = hypothesis.rates()?.rates;
+        let rates = hypothesis.shared()?;
         let (response, _) = self.problem.response(&rates);
         let slips: Directions<N> = std::array::from_fn(|i| {
             if self.guess[i].mode == Mode::Starts { [response[i].x, response[i].y] } else { [0.0; 2] }

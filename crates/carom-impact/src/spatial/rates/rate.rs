@@ -266,7 +266,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     /// Hands over the solutions that the hypothesis is: one for each way in which equal springs may carry. Else the inequality that is violated most.
     pub(super) fn judge(&self, visit: &mut impl FnMut(Solution<N>)) -> Result<(), Rejection> {
         let (mut first, mut any) = (None, false);
-        self.each_rates(true, &mut |found| match self.ask(&found) {
+        self.each_rates(&mut |found| match self.ask(&found) {
             Ok(solution) => {
                 any = true;
                 visit(solution);

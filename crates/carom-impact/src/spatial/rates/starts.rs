@@ -8,7 +8,7 @@
 //! *More*, or rates that stay open whatever the direction: as one motion of all of them, see [`motions`](super::motions). Where what holds and sticks leaves them
 //! none or one, its directions are known for certain, of two contacts too; else a direction may be missed.
 
-use super::answer::{Freedom, Guess, Mode};
+use super::answer::{Guess, Mode};
 use super::equations::Hypothesis;
 use super::motions::Motions;
 use super::rate::{RateProblem, Search, Tried};
@@ -147,9 +147,9 @@ impl<const N: usize> RateProblem<'_, N> {
         let mut others = *guess;
         starting.iter().for_each(|&i| others[i] = Guess::OPEN);
         let responding = |problem: &RateProblem<'_, N>| {
-            let found = Hypothesis { problem, guess: &others, direction }.rates()?;
-            let determined = found.freedom == Freedom::None;
-            determined.then(|| starting.map(|i| problem.response(&found.rates).0[i]))
+            let rates = Hypothesis { problem, guess: &others, direction }.determined()?;
+            let (response, _) = problem.response(&rates);
+            Some(starting.map(|i| response[i]))
         };
         let drive = responding(self)?;
         let mut operator = [[Mat3::ZERO; K]; K];
@@ -203,8 +203,8 @@ impl<const N: usize> RateProblem<'_, N> {
                 let (sin, cos) = sin_cos(*theta);
                 direction[i] = [cos, sin];
             }
-            let found = Hypothesis { problem: self, guess, direction }.rates()?;
-            let (response, _) = self.response(&found.rates);
+            let rates = Hypothesis { problem: self, guess, direction }.shared()?;
+            let (response, _) = self.response(&rates);
             let mut out = [0.0; MOST];
             for (out, &i) in out.iter_mut().zip(starting) {
                 let [x, y] = direction[i];

@@ -113,8 +113,8 @@ pub struct StagedOutcome<const N: usize> {
     pub branches: usize,
     /// False where other continuations may exist: several contacts at rest could have started to slip. See [`Answer::examined`](crate::spatial::rates::answer::Answer::examined).
     pub examined: bool,
-    /// The largest freedom of any stage. Above [`Freedom::Rates`] the motion depends on how contacts share the load; the shortest rates were
-    /// taken.
+    /// The largest freedom of any stage. Above [`Freedom::Rates`] the motion depends on how contacts share the load; they
+    /// shared it as equal springs do.
     pub freedom: Freedom,
     /// True where the total work is positive beyond rounding (possible under Newton's law).
     pub gained_energy: bool,
@@ -192,10 +192,11 @@ const MOST_HALVINGS: u32 = 40;
 ///
 /// # Limits
 /// Rigid bodies. How contacts that close together share the impact is a convention, and so is how fast each of them restitutes. Where more contacts
-/// hold than a body has freedoms, the shortest rates stand for the others (`freedom` says so). A slip that starts smoothly, at a contact that comes to
+/// hold than a body has freedoms, they share as equal springs do (`freedom` says so). A slip that starts smoothly, at a contact that comes to
 /// the edge of its cone while others turn, is followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or
-/// hand the load to each other without end: then the walk is refused. Each further contact makes the work three to four times as large: where
-/// six contacts start to slip together, an impact takes a second or two; with eight, about ten seconds.
+/// hand the load to each other without end: then the walk is refused. On one plane an impact of
+/// six contacts that all start to slip takes some hundredths of a second, of sixteen about one; on several planes each further contact makes the work three to four times as
+/// large, and six take seconds.
 ///
 /// # Example
 /// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5

@@ -48,7 +48,7 @@ pub struct Impact {
     pub kinetic_after: f64,
     /// Potential energy, zero with the mass centre at the world's origin \[J\].
     pub potential: f64,
-    /// The impulse on each touching support, world axes [N s]; where they are a family, the shortest member, or one that does not pull.
+    /// The impulse on each touching support, world axes [N s]; where they are a family, that of equal springs, or one that does not pull.
     pub impulses: Vec<(usize, Vec3)>,
     /// The least friction coefficient with which no contact slides. Of a family of impulses it is that of the member which needs least; with friction in the
     /// world, that of these impulses.

@@ -29,7 +29,7 @@ use carom_num::Vec3;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forces {
-    /// The force on each held support, world axes \[N\]; where they are a family, the shortest member, or one that does not pull.
+    /// The force on each held support, world axes \[N\]; where they are a family, that of equal springs, or one that does not pull.
     pub forces: Vec<(usize, Vec3)>,
     /// The least friction coefficient with which forces exist that hold every support: over the whole family, where they are one.
     pub friction_demand: f64,
