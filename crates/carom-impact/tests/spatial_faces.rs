@@ -149,6 +149,36 @@ fn a_face_that_falls_on_its_edge_comes_to_rest_on_it() {
     }
 }
 
+/// A body whose mass centre is above a row of three of its feet falls flat: the two others carry nothing but rounding, which must not decide who does.
+#[test]
+fn feet_that_carry_nothing_do_not_decide_how_others_share() {
+    let body = RigidBody {
+        mass: 1.0,
+        inertia: Mat3::diagonal(0.1, 0.12, 0.15),
+        velocity: -Vec3::Z,
+        spin: Vec3::ZERO,
+    };
+    let feet = [[0.0, -0.3], [0.0, 0.05], [0.0, 0.4], [-0.3, -0.3], [-0.3, 0.4]];
+    let after = |order: [usize; 5]| {
+        let touch = |i: usize| Touch {
+            arm: Vec3::new(feet[i][0], feet[i][1], -0.9246),
+            normal: Vec3::Z,
+            friction: 0.3,
+            restitution: [0.9, 0.1, 0.5, 0.0, 0.0][i],
+        };
+        let set: ContactSet<5> = ContactSet::of_free_body(&body, &order.map(touch)).unwrap();
+        let outcome = staged::resolve(&set, Law::Poisson).unwrap();
+        let mut rises = [0.0; 5];
+        order.iter().zip(outcome.velocity).for_each(|(i, u)| rises[*i] = u.z);
+        rises
+    };
+    let first = after([0, 1, 2, 3, 4]);
+    for order in [[0, 2, 1, 4, 3], [4, 3, 2, 1, 0], [3, 1, 4, 0, 2], [1, 4, 0, 3, 2]] {
+        let off = after(order).iter().zip(first).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-12, "in the order {order:?} it rises otherwise by {off}");
+    }
+}
+
 /// A bar in an inclined V groove of a right angle: each side carries √½ of what presses it in, and it starts to slide along the groove with
 /// `g (sin α − √2 μ cos α)`, all of its contacts together.
 #[test]

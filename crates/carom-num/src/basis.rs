@@ -11,8 +11,9 @@ use crate::solve::dot;
 /// let mut plane = Basis::NONE;
 /// let new = [[3.0, 4.0, 0.0], [1.0, 0.0, 0.0], [0.0, 5.0, 0.0]].map(|v| plane.take(v, 1e-12));
 /// assert_eq!(new, [true, true, false]);
-/// assert_eq!(plane.axes(), [[0.6, 0.8, 0.0], [0.8, -0.6, 0.0]]);
-/// assert_eq!(plane.left([1.0, 2.0, 3.0])[2], 3.0);
+/// assert_eq!(plane.axes()[0], [0.6, 0.8, 0.0]);
+/// let [x, y, z] = plane.left([1.0, 2.0, 3.0]);
+/// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && z == 3.0);
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Basis<const M: usize> {

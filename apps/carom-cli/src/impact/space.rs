@@ -116,7 +116,7 @@ fn end_text(end: &SpatialImpactEndReport, axes: ImpactAxes) -> String {
     if end.open.0 != Freedom::None {
         let _ = writeln!(
             text,
-            "open      {}: the contacts hold each other; the shortest rates stand for others",
+            "open      {}: the contacts hold each other; they share as equal springs do",
             end.open
         );
     }

@@ -105,7 +105,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     }
 
     /// Hands over the rates that the hypothesis demands. Equal springs share them, of which more than one set may be lifted: all of these are asked for where
-    /// they make a difference to the motion. Where some contact would pull whichever are lifted, the rates are those where none is.
+    /// they make a difference to the motion. If there is none in which no contact pulls, the rates are those of which none is lifted.
     pub(super) fn each_rates(&self, visit: &mut impl FnMut(Found<N>)) {
         let unknowns = self.unknowns();
         sized!(self.each_sized(&unknowns, visit));

@@ -130,7 +130,8 @@ impl<const N: usize> RateProblem<'_, N> {
         }
         let (mut guesses, scale) = (Guesses::of(self), self.scale());
         for of in [Closed::Yes, Closed::No] {
-            if of == Closed::No && answer.count == 0 && self.count > MOST_IN_ALL {
+            let asked = (0..self.count).filter(|&i| self.load[i] != Load::Absent).count();
+            if of == Closed::No && answer.count == 0 && asked > MOST_IN_ALL {
                 answer.examined = false;
                 break;
             }
@@ -312,7 +313,10 @@ impl<const N: usize> Hypothesis<'_, N> {
                 // Only a push has a cone: what pulls is rejected for that.
                 Mode::Sticks if p.z < -SLACK_TOLERANCE * total => {}
                 Mode::Sticks => {
-                    check(Condition::WithinCone(i), bound - tangential(p), bound.abs() + tangential(p))
+                    // What carries nothing but rounding is measured against what all carry.
+                    let own = bound.abs() + tangential(p);
+                    let scale = if own > SLACK_TOLERANCE * total { own } else { total };
+                    check(Condition::WithinCone(i), bound - tangential(p), scale)
                 }
                 Mode::Starts => {
                     let [x, y] = self.direction[i];

@@ -6,7 +6,7 @@
 //! unknowns as the body has motions, however many contacts it has.
 
 use super::equations::{Equations, Hypothesis, Unknowns};
-use crate::tolerance::RANK;
+use crate::tolerance::{RANK, SLACK_TOLERANCE};
 use carom_num::solve::{dot, solve_regular};
 use carom_num::{Basis, Vec3};
 
@@ -107,7 +107,10 @@ impl<const M: usize> Springs<'_, M> {
     /// The rates where these contacts are lifted, and whether they rest so; `None` where another one would pull.
     fn rest(&self, lifted: u32) -> (u32, Option<Rest<M>>) {
         let Some(sprung) = self.sprung(lifted) else { return (lifted, None) };
-        let pulled = self.unknowns.pulled(&sprung.sinks);
+        // What neither sinks in nor rises but for rounding stays as it is.
+        let edge = SLACK_TOLERANCE * sprung.sinks.iter().fold(0.0, |m: f64, sink| m.max(sink.abs()));
+        let below = |edge: f64| self.unknowns.pulled(&sprung.sinks.map(|sink| sink - edge));
+        let pulled = below(-edge) | (below(edge) & lifted);
         let pushes = pulled & !lifted == 0;
         (pulled, pushes.then_some(Rest { lifted, sprung, rests: pulled == lifted }))
     }
@@ -173,19 +176,30 @@ impl<const M: usize> Springs<'_, M> {
             let normal: [f64; M] = self.unknowns.each(|(_, of)| if of == 2 { 1.0 } else { 0.0 });
             planes.take(std::array::from_fn(|k| axis[k] * normal[k]), RANK);
         }
+        let at = |k: usize| {
+            let part = |axis: usize| planes.axes().get(axis).map_or(0.0, |axis| axis[k]);
+            Vec3::new(part(0), part(1), part(2))
+        };
+        let lines: Vec<Vec3> = match planes.axes().len() {
+            // Of contacts in a row those before one of them and those behind it.
+            2 => holding.iter().map(|&i| Vec3::Z.cross(at(i))).collect(),
+            3 => {
+                let pairs =
+                    holding.iter().enumerate().flat_map(|(n, &i)| holding[..n].iter().map(move |&j| (i, j)));
+                pairs.map(|(i, j)| at(i).cross(at(j))).collect()
+            }
+            _ => vec![],
+        };
         let mut sets = vec![0];
-        let &[a, b, c] = planes.axes() else { return sets };
-        let at = |k: usize| Vec3::new(a[k], b[k], c[k]);
-        for (n, &i) in holding.iter().enumerate() {
-            for &j in &holding[..n] {
-                let line = at(i).cross(at(j));
-                for (side, with_i, with_j) in
-                    (0..8).map(|way| (if way & 4 == 0 { 1.0 } else { -1.0 }, way & 1 == 0, way & 2 == 0))
-                {
-                    sets.push(bits(&|k| match k {
-                        _ if k == i => with_i,
-                        _ if k == j => with_j,
-                        _ => line.dot(at(k)) * side > 0.0,
+        for line in lines {
+            let on = |k: usize| line.dot(at(k)).abs() <= RANK * line.norm() * at(k).norm();
+            let touched: Vec<usize> = holding.iter().copied().filter(|&k| on(k)).collect();
+            for side in [1.0, -1.0] {
+                // Each of the first two that the line goes through is lifted or not; others on it go with the second.
+                for way in 0..4 {
+                    sets.push(bits(&|k| match touched.iter().position(|t| *t == k) {
+                        Some(place) => way >> place.min(1) & 1 == 1,
+                        None => line.dot(at(k)) * side > 0.0,
                     }));
                 }
             }

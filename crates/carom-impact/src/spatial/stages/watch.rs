@@ -42,18 +42,18 @@ impl<const N: usize> Watch<N> {
     /// What keeps functions that start at their edge from falling at once. A contact that is lifted by too much, because equal springs find no rest, is not
     /// watched.
     pub(super) fn lift(&self) -> Self {
-        let lift = |f: f64, edge: f64| match f {
-            _ if f >= edge => 0.0,
-            _ if f < -AT_EDGE_OF_CURVE => 1.0 - f,
-            _ => edge - f.min(0.0),
-        };
+        let lift = |f: f64, edge: f64| if f < edge { edge - f.min(0.0) } else { 0.0 };
         // A debt is paid to the last: what is left of it, however little, is the square of a velocity.
         let edge = |kind: usize| match kind {
             0 => TOUCHING_EDGE,
             4 => 0.0,
             _ => AT_EDGE_OF_CURVE,
         };
-        let contact = self.contact.map(|of| std::array::from_fn(|kind| lift(of[kind], edge(kind))));
+        let lift_of = |kind: usize, f: f64| match kind {
+            3 if f < -AT_EDGE_OF_CURVE => 1.0 - f,
+            _ => lift(f, edge(kind)),
+        };
+        let contact = self.contact.map(|of| std::array::from_fn(|kind| lift_of(kind, of[kind])));
         Self { contact, common: [0.0, lift(self.common[1], AT_EDGE_OF_CURVE)] }
     }
 }
