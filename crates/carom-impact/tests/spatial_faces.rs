@@ -75,7 +75,7 @@ fn feet_of_different_friction_share_as_equal_springs() {
         let (forces, _) = carried(&set, [[1.0, 0.0]; 3]);
         let off = forces.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(off < 1e-13, "{friction:?} at {ahead}: {forces:?} instead of {expected:?}");
-        lifted += u32::from(expected.iter().any(|n| *n == 0.0));
+        lifted += u32::from(expected.contains(&0.0));
     }
     assert!(lifted > 3, "{lifted} of 100 stand on two");
 }

@@ -152,56 +152,53 @@ impl<const M: usize> Springs<'_, M> {
         all
     }
 
-    /// Sets of lifted contacts, one bit each.
+    /// Sets of contacts that may be lifted, one bit each.
     fn sets(&self) -> Vec<u32> {
-        let normal = |&k: &usize| self.unknowns.of()[k].1 == 2;
-        let holding: Vec<usize> = (0..self.unknowns.count).filter(normal).collect();
-        let bits = |which: &dyn Fn(usize) -> bool| {
-            let lifted = holding.iter().filter(|&&k| which(k));
-            lifted.fold(0u32, |bits, &k| bits | 1 << self.unknowns.of()[k].0)
-        };
+        let of = self.unknowns.of().iter().enumerate().filter(|(_, (_, axis))| *axis == 2);
+        let holding: Vec<(usize, u32)> = of.map(|(k, (i, _))| (k, 1 << i)).collect();
         if holding.len() > MOST_IN_ALL_SETS {
-            return self.beyond_lines(&holding, &bits);
+            return self.beyond_lines(&holding);
         }
-        let all = 0..1usize << holding.len();
-        all.map(|set| bits(&|k| holding.iter().position(|h| *h == k).is_some_and(|h| set >> h & 1 == 1)))
-            .collect()
+        let with =
+            |sets: Vec<u32>, (_, bit): &(usize, u32)| sets.iter().flat_map(|set| [*set, set | bit]).collect();
+        let mut sets: Vec<u32> = holding.iter().fold(vec![0], with);
+        sets.sort_unstable();
+        sets
     }
 
     /// The sets of lifted contacts that a plane which sinks in can leave: those on one side of a line. A line that parts them can be moved until it goes
-    /// through two contacts.
-    fn beyond_lines(&self, holding: &[usize], bits: &dyn Fn(&dyn Fn(usize) -> bool) -> u32) -> Vec<u32> {
+    /// through two contacts. Each contact that holds is given by its unknown and its bit.
+    fn beyond_lines(&self, holding: &[(usize, u32)]) -> Vec<u32> {
         let mut planes = Basis::<M>::NONE;
         for axis in self.basis.axes() {
             let normal: [f64; M] = self.unknowns.each(|(_, of)| if of == 2 { 1.0 } else { 0.0 });
             planes.take(std::array::from_fn(|k| axis[k] * normal[k]), RANK);
         }
-        let at = |k: usize| {
-            let part = |axis: usize| planes.axes().get(axis).map_or(0.0, |axis| axis[k]);
-            Vec3::new(part(0), part(1), part(2))
-        };
+        let part = |axis: usize, k: usize| planes.axes().get(axis).map_or(0.0, |axis| axis[k]);
+        let places: Vec<(Vec3, u32)> =
+            holding.iter().map(|&(k, bit)| (Vec3::new(part(0, k), part(1, k), part(2, k)), bit)).collect();
         let lines: Vec<Vec3> = match planes.axes().len() {
             // Of contacts in a row those before one of them and those behind it.
-            2 => holding.iter().map(|&i| Vec3::Z.cross(at(i))).collect(),
+            2 => places.iter().map(|(at, _)| Vec3::Z.cross(*at)).collect(),
             3 => {
+                let before = |n: usize| places[..n].iter();
                 let pairs =
-                    holding.iter().enumerate().flat_map(|(n, &i)| holding[..n].iter().map(move |&j| (i, j)));
-                pairs.map(|(i, j)| at(i).cross(at(j))).collect()
+                    places.iter().enumerate().flat_map(|(n, one)| before(n).map(move |other| (one, other)));
+                pairs.map(|((one, _), (other, _))| one.cross(*other)).collect()
             }
             _ => vec![],
         };
         let mut sets = vec![0];
         for line in lines {
-            let on = |k: usize| line.dot(at(k)).abs() <= RANK * line.norm() * at(k).norm();
-            let touched: Vec<usize> = holding.iter().copied().filter(|&k| on(k)).collect();
+            let on = |at: &Vec3| line.dot(*at).abs() <= RANK * line.norm() * at.norm();
+            let touched: Vec<u32> = places.iter().filter(|(at, _)| on(at)).map(|(_, bit)| *bit).collect();
+            let (first, others) =
+                touched.split_first().map_or((0, 0), |(first, all)| (*first, all.iter().sum()));
             for side in [1.0, -1.0] {
-                // Each of the first two that the line goes through is lifted or not; others on it go with the second.
-                for way in 0..4 {
-                    sets.push(bits(&|k| match touched.iter().position(|t| *t == k) {
-                        Some(place) => way >> place.min(1) & 1 == 1,
-                        None => line.dot(at(k)) * side > 0.0,
-                    }));
-                }
+                let beyond = places.iter().filter(|(at, _)| !on(at) && line.dot(*at) * side > 0.0);
+                let beyond: u32 = beyond.map(|(_, bit)| *bit).sum();
+                // The first that the line goes through is lifted or not, and so are the others on it.
+                sets.extend([0, first, others, first | others].map(|with| beyond | with));
             }
         }
         sets.sort_unstable();
