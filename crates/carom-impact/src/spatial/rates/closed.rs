@@ -47,8 +47,8 @@ impl<const N: usize> Row<N> {
         Self { of: self.of.map(|of| of / length), drive: self.drive / length }
     }
 
-    /// What of it no other row has, and its length, if it is more than rounding.
-    fn beside(&self, others: &[Self]) -> Option<(Self, f64)> {
+    /// What of it no other row has, of length 1, if it is more than rounding.
+    fn beside(&self, others: &[Self]) -> Option<Self> {
         let size = self.dot(self).sqrt();
         let mut left = *self;
         // Twice is enough for rounding.
@@ -56,7 +56,7 @@ impl<const N: usize> Row<N> {
             left = others.iter().fold(left, |left, other| left.less(other, left.dot(other)));
         }
         let length = left.dot(&left).sqrt();
-        (length > RANK * size).then(|| (left.over(length), length))
+        (length > RANK * size).then(|| left.over(length))
     }
 }
 
@@ -129,7 +129,7 @@ impl<'p, 'q, const N: usize> Guesses<'p, 'q, N> {
     fn fix(&mut self, i: usize) {
         let sticks = self.guess[i].mode == Mode::Sticks;
         for (axis, fixed) in [sticks, sticks, self.guess[i].holds].into_iter().enumerate() {
-            if fixed && let Some((new, _)) = self.rows[i][axis].beside(&self.fixed) {
+            if fixed && let Some(new) = self.rows[i][axis].beside(&self.fixed) {
                 self.fixed.push(new);
             }
         }
@@ -156,9 +156,9 @@ impl<'p, 'q, const N: usize> Guesses<'p, 'q, N> {
     /// False where the contacts that may open are left with one motion, and some of them would close by it whichever way it goes.
     fn opens(&self) -> bool {
         let mut left = self.opening(0).map(|i| self.rows[i][2].beside(&self.fixed));
-        let Some(Some((only, _))) = left.next() else { return true };
+        let Some(Some(only)) = left.next() else { return true };
         let sides = left.map(|left| {
-            let (unit, _) = left?;
+            let unit = left?;
             let along = unit.dot(&only);
             unit.beside(&[only]).is_none().then_some(along > 0.0)
         });

@@ -169,9 +169,9 @@ impl<const M: usize> Springs<'_, M> {
     /// The sets of lifted contacts that a plane which sinks in can leave: those on one side of a line. A line that parts them can be moved until it goes
     /// through two contacts. Each contact that holds is given by its unknown and its bit.
     fn beyond_lines(&self, holding: &[(usize, u32)]) -> Vec<u32> {
+        let normal: [f64; M] = self.unknowns.each(|(_, of)| if of == 2 { 1.0 } else { 0.0 });
         let mut planes = Basis::<M>::NONE;
         for axis in self.basis.axes() {
-            let normal: [f64; M] = self.unknowns.each(|(_, of)| if of == 2 { 1.0 } else { 0.0 });
             planes.take(std::array::from_fn(|k| axis[k] * normal[k]), RANK);
         }
         let part = |axis: usize, k: usize| planes.axes().get(axis).map_or(0.0, |axis| axis[k]);
