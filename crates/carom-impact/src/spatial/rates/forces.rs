@@ -13,6 +13,8 @@ use carom_num::solve::Solutions;
 /// Cutting planes of all cones together: four of each to begin with, and so many in all, or so many more.
 const MOST_CUTS: usize = 36;
 const MORE_CUTS: usize = 4;
+/// Cutting planes that are made, at most, where those within reach do not tell whether a member lies within the cones.
+const MOST_ROUNDS: usize = 200;
 /// A rate that is ample, in units of what one contact alone would need.
 const AMPLE: f64 = 10.0;
 
@@ -52,7 +54,7 @@ impl<const N: usize> Hypothesis<'_, N> {
         // The planes promise more than the cones give, and a later point may give less than an earlier one: the best is kept.
         let mut best = (f64::NEG_INFINITY, [0.0; M]);
         let most = MOST_CUTS.max(planes.len() + MORE_CUTS);
-        while planes.len() <= most {
+        for _ in 0..MOST_ROUNDS {
             let (z, promised) = self.most::<M>(&planes, &rates, &free)?;
             let at: [Vec3; N] = std::array::from_fn(|i| {
                 free.iter().zip(&z).fold(rates[i], |p, (direction, z)| p + direction[i] * *z)
@@ -62,6 +64,16 @@ impl<const N: usize> Hypothesis<'_, N> {
                 best = (slack, z);
             }
             let Some(of) = of.filter(|_| slack < promised - KNOWN_SLACK) else { break };
+            if planes.len() > most {
+                // It is not yet known whether any member lies within the cones: what the last point is farthest inside of makes room.
+                if best.0 >= 0.0 || promised < 0.0 {
+                    break;
+                }
+                let left = |plane: &Plane| self.left(plane, &at[plane.of]);
+                let loosest =
+                    (0..planes.len()).max_by(|a, b| left(&planes[*a]).total_cmp(&left(&planes[*b])));
+                loosest.map(|k| planes.swap_remove(k));
+            }
             let tangential = (at[of].x * at[of].x + at[of].y * at[of].y).sqrt();
             planes.push(Plane { of, toward: [at[of].x / tangential, at[of].y / tangential] });
         }
@@ -96,11 +108,15 @@ impl<const N: usize> Hypothesis<'_, N> {
         for i in self.holding() {
             slacks.push(rates[i].z - self.problem.base(i) / unit, |d| free[d][i].z);
         }
-        for &Plane { of, toward: [x, y] } in planes {
-            let slack = |p: &Vec3| self.problem.friction[of] * p.z - x * p.x - y * p.y;
-            slacks.push(slack(&rates[of]), |d| slack(&free[d][of]));
+        for plane in planes {
+            slacks.push(self.left(plane, &rates[plane.of]), |d| self.left(plane, &free[d][plane.of]));
         }
         slacks.largest_smallest(1.0)
+    }
+
+    /// How far inside of a plane a rate is.
+    fn left(&self, &Plane { of, toward: [x, y] }: &Plane, rate: &Vec3) -> f64 {
+        self.problem.friction[of] * rate.z - x * rate.x - y * rate.y
     }
 
     /// The smallest slack, and the contact whose cone it is of, if it is one of a cone.
