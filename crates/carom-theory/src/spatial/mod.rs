@@ -1,6 +1,6 @@
 //! Bodies in space that strike with a point while others still touch.
 //!
-//! But for [`Twist`], [`FlatSlide`] and [`ThreeFeet`], which slide, the law is the non-sliding one: a contact that is kept comes to rest, whatever friction that takes; one that is not kept takes no impulse. A
+//! But for [`Twist`], [`FlatSlide`], [`ThreeFeet`], [`Groove`] and [`Ladder`], which slide, the law is the non-sliding one: a contact that is kept comes to rest, whatever friction that takes; one that is not kept takes no impulse. A
 //! *state* is the set of contacts that are kept. It is consistent where no kept contact pulls and none of the others approaches.
 //!
 //! Source of the states: Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5. The conditions and the impulses were
@@ -8,6 +8,8 @@
 
 mod borders;
 mod feet;
+mod groove;
+mod ladder;
 mod pyramid;
 mod slide;
 mod stool;
@@ -15,6 +17,8 @@ mod twist;
 
 pub use borders::LateralRoll;
 pub use feet::ThreeFeet;
+pub use groove::Groove;
+pub use ladder::{Ladder, LeavesWall};
 pub use pyramid::{Kept, Pyramid, PyramidStrike};
 pub use slide::{FlatSlide, ToRest};
 pub use stool::{Approach, OnBoth, OnNext, Stool};
