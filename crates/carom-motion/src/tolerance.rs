@@ -202,6 +202,10 @@ pub(crate) const SLIP_ROUNDING: f64 = 1e-13;
 
 /// Slips below this speed, of the world or of the motion, are rest.
 pub(crate) const RESTING_SLIP: f64 = 1e-11;
+/// Held supports of several planes take the friction of smaller coefficients than this as of this.
+pub(crate) const LEAST_GRIP: f64 = 1e-6;
+/// How far ahead, in the world's time, it is asked which supports slip once held ones can no longer hold: far enough for their cones to be clearly left.
+pub(crate) const SLIPS_AHEAD: f64 = 1e-6;
 /// Two supports that are within this fraction of the edges of their cones come there at once.
 pub(crate) const CONES_LEFT_AT_ONCE: f64 = 1e-9;
 /// A force outside its cone by this fraction of it is inside but for rounding.

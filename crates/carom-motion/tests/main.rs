@@ -24,6 +24,7 @@ mod rests;
 mod rocking;
 mod spatial_ends;
 mod spatial_planar;
+mod spatial_planes;
 mod spatial_pyramids;
 mod spatial_random;
 mod spatial_renumbered;

@@ -130,8 +130,8 @@ fn what_is_let_go_rises() {
         let (run, samples) = walked(&world, &start, &Options { most_time: 2.0, ..Options::default() });
         let struck = |time: f64| run.impacts.iter().any(|i| i.time == time);
         for pair in samples.pieces.windows(2).filter(|p| !struck(p[1].start_time)) {
-            let held = pair[1].mode.held(world.body());
-            let gone = pair[0].mode.held(world.body()).difference(held);
+            let held = pair[1].mode.held(&world);
+            let gone = pair[0].mode.held(&world).difference(held);
             seen += gone.len();
             let within = |t: f64| t > pair[1].start_time && t < pair[1].end_time;
             let mut states = samples.instants.iter().filter(|(t, ..)| within(*t)).map(|(_, _, s)| s);

@@ -59,7 +59,7 @@ fn first_impact(pyramid: &Pyramid) -> (Impact, f64) {
     let run = run(&world, &start, &options, &mut samples).unwrap();
     let body = world.body();
     let edge = match samples.pieces[0].mode {
-        Mode::Edge { ends: [APEX, A], along } => Some(along),
+        Mode::Edge { ends: [APEX, A], along, .. } => Some(along),
         _ => None,
     };
     let along = edge.unwrap();

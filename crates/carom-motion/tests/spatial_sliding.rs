@@ -133,7 +133,7 @@ fn a_falling_stick_starts_to_slip_where_its_foot_force_leaves_the_cone() {
         let start = State::standing(&body, 0, Rotation::by(axis * lean), axis * spin);
         let (_, samples) = ran(&rough(body, friction), &start, 5.0);
         let [first, second] = &samples.pieces[..2] else { panic!("it sticks, then slips") };
-        assert!(matches!(first.mode, Mode::Pivot { support: 0 }));
+        assert!(matches!(first.mode, Mode::Pivot { support: 0, .. }));
         assert_eq!(second.mode, Mode::Slides { sticking: Supports::NONE, slipping: Supports::one(0) });
         let tilt = first.end.tilt(Vec3::Z);
         let (forward, upward) = floor_force_foot_fixed(tilt);

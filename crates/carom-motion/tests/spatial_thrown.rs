@@ -193,13 +193,16 @@ fn a_slip_that_friction_only_just_stops_stops_for_good() {
     run(&world, &start, &Options::default(), &mut samples).unwrap();
     let first = samples.pieces.iter().position(|p| matches!(p.mode, Mode::Pivot { .. })).unwrap();
     let [slips, after] = [&samples.pieces[first + 1], &samples.pieces[first + 2]];
-    let Mode::Pivot { support } = samples.pieces[first].mode else { panic!("it turns about a foot") };
+    let Mode::Pivot { support, held: foot } = samples.pieces[first].mode else {
+        panic!("it turns about a foot")
+    };
     assert!(matches!(slips.mode, Mode::Slides { .. }), "it slips: {slips:?}");
-    assert_eq!(after.mode, Mode::Pivot { support }, "and sticks again");
+    assert_eq!(after.mode, Mode::Pivot { support, held: foot }, "and sticks again");
     let held = forces(&world, after.mode, &after.start).unwrap().unwrap().friction_demand;
     assert!(held < 0.5 && held > 0.499, "friction 0.5 holds it, hardly: {held}");
 
-    let needed = forces(&world, Mode::Pivot { support }, &slips.start).unwrap().unwrap().forces[0].1;
+    let needed =
+        forces(&world, Mode::Pivot { support, held: foot }, &slips.start).unwrap().unwrap().forces[0].1;
     let mut angle = atan2(-needed.y, -needed.x);
     let start = slips.start;
     let mut y = [start.attitude.to_array(), [start.spin.x, start.spin.y, start.spin.z, 0.0]];

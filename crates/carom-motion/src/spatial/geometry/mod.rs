@@ -3,6 +3,7 @@
 pub(in crate::spatial) mod body;
 pub(in crate::spatial) mod friction;
 pub(in crate::spatial) mod hull;
+pub(in crate::spatial) mod plane;
 pub(in crate::spatial) mod polyhedron;
 pub(in crate::spatial) mod posture;
 pub(in crate::spatial) mod solid;

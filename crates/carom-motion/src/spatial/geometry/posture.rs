@@ -1,6 +1,6 @@
 //! A body at one instant of its motion: heights of its supports, and how they change.
 //!
-//! All in body axes, where the supports stay and the plane's normal e turns: `ė = e × ω`. A stretch of motion starts with known heights, and an instant
+//! All in body axes, where the supports stay and the normal e of a plane turns: `ė = e × ω`. A stretch of motion starts with known heights, and an instant
 //! says how much they have risen since: so the height of a hop keeps its digits, however small it is beside the body.
 
 use carom_num::poly::first_root;
@@ -19,31 +19,41 @@ pub(in crate::spatial) struct Height {
 pub(in crate::spatial) struct Posture {
     /// The turn since the start of the stretch: the body's axes now in those of then.
     pub(in crate::spatial) turned: Rotation,
-    /// The plane's normal, in body axes as they were at the start.
-    pub(in crate::spatial) up_then: Vec3,
-    /// The plane's normal, body axes.
+    /// The normal of the plane that the foot is on, or of the first one, body axes.
     pub(in crate::spatial) up: Vec3,
     /// Angular velocity and acceleration, body axes.
     pub(in crate::spatial) spin: Vec3,
     pub(in crate::spatial) turning: Vec3,
-    /// The point that has risen by `base`, from the mass centre, body axes.
+    /// The point that the motion is reckoned from, from the mass centre, body axes.
     pub(in crate::spatial) from: Vec3,
-    pub(in crate::spatial) base: Height,
+    /// How far that point has gone since, its velocity and its acceleration, world axes.
+    pub(in crate::spatial) base: [Vec3; 3],
+}
+
+/// A plane's normal as a stretch of motion sees it.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Upright {
+    /// World axes.
+    pub(in crate::spatial) normal: Vec3,
+    /// Body axes as they were at the start.
+    pub(in crate::spatial) then: Vec3,
 }
 
 impl Posture {
-    /// The height of a point of the body that started at a height.
-    pub(in crate::spatial) fn height(&self, arm: Vec3, start: f64) -> Height {
+    /// The height over a plane of a point of the body that started at a height.
+    pub(in crate::spatial) fn height(&self, plane: &Upright, arm: Vec3, start: f64) -> Height {
+        let up = self.turned.undo(plane.then);
         let d = arm - self.from;
         let across = self.spin.cross(d);
         let bent = self.turning.cross(d) + self.spin.cross(across);
         // What a rotation adds to a vector, without the vector itself.
         let twice = self.turned.v.cross(d) * 2.0;
         let moved = twice * self.turned.w + self.turned.v.cross(twice);
+        let [gone, rate, second] = self.base.map(|v| plane.normal.dot(v));
         Height {
-            value: start + (self.base.value + self.up_then.dot(moved)),
-            rate: self.base.rate + self.up.dot(across),
-            second: self.base.second + self.up.dot(bent),
+            value: start + (gone + plane.then.dot(moved)),
+            rate: rate + up.dot(across),
+            second: second + up.dot(bent),
         }
     }
 }

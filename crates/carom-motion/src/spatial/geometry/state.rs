@@ -1,7 +1,7 @@
 //! Where a body is and how it moves.
 
 use super::body::Body;
-use super::world::World;
+use super::world::{Support, World};
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
@@ -125,11 +125,11 @@ impl State {
     }
 }
 
-/// The height of a support, from a foot that stands on the plane if there is one: then a body that is almost flat keeps its digits.
-pub(in crate::spatial) fn measured(body: &Body, state: &State, foot: Option<usize>, support: usize) -> f64 {
-    let arm = body.supports()[support];
-    match foot {
-        Some(foot) => state.up().dot(arm - body.supports()[foot]),
-        None => state.place(arm).z,
+/// The height of a support over its plane, from a foot that stands on the same plane if there is one: then a body that is almost flat keeps its digits.
+pub(in crate::spatial) fn measured(world: &World, state: &State, foot: Option<usize>, support: usize) -> f64 {
+    let Support { arm, plane } = world.support(support);
+    match foot.filter(|foot| world.plane_of(*foot) == world.plane_of(support)) {
+        Some(foot) => state.attitude.undo(plane.normal()).dot(arm - world.arm(foot)),
+        None => plane.height(state.place(arm)),
     }
 }

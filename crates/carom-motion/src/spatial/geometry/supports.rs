@@ -84,6 +84,19 @@ impl Supports {
         Self(self.0 & !others.0)
     }
 
+    /// Those that are among these and those.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::Supports;
+    /// let (left, right) = (Supports::one(0).with(1), Supports::one(1).with(2));
+    /// assert_eq!(left.common(right), Supports::one(1));
+    /// ```
+    #[must_use]
+    pub const fn common(self, others: Self) -> Self {
+        Self(self.0 & others.0)
+    }
+
     /// True where the support is one of them.
     ///
     /// # Example

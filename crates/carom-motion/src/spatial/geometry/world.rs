@@ -1,11 +1,15 @@
-//! A body over a fixed plane, and the world's own units.
+//! A body among fixed planes, and the world's own units.
 
 use super::body::Body;
 use super::friction::{Friction, FrictionProblem};
+use super::plane::Plane;
+use super::supports::Supports;
 use carom_num::Vec3;
 use thiserror::Error;
 
-/// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal.
+/// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal; or among several planes ([`World::among`]).
+///
+/// Each point of the body is a support of each plane. The supports of the first plane have the numbers of the points, those of the next plane follow.
 ///
 /// # Example
 /// On a plane that rises by 3 in 4, gravity of 10 m/s² has 6 m/s² along the plane.
@@ -22,6 +26,48 @@ pub struct World {
     body: Body,
     gravity: Vec3,
     friction: Option<Friction>,
+    planes: Vec<Plane>,
+}
+
+/// What a body cannot be among.
+///
+/// # Example
+/// ```
+/// use carom_motion::spatial::{Friction, Plane, PlanesProblem, World, examples};
+/// use carom_num::Vec3;
+/// let world = World::new(examples::cube(), Vec3::Z * -10.0).unwrap();
+/// let rough = world.clone().with_friction(Friction::new(0.3)).unwrap();
+/// assert_eq!(rough.among(vec![]), Err(PlanesProblem::None));
+/// assert_eq!(world.among(vec![Plane::FLOOR; 2]), Err(PlanesProblem::NothingSlides));
+/// ```
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PlanesProblem {
+    /// There are none.
+    #[error("there is no plane")]
+    None,
+    /// The world has no friction, so that nothing slides.
+    #[error("supports must be able to slide where there are several planes: the world has no friction")]
+    NothingSlides,
+    /// More supports than a set of them holds.
+    #[error("{points} points and {planes} planes: allowed are {} pairs of them", Supports::MOST)]
+    Count {
+        /// Points of the body.
+        points: usize,
+        /// Planes.
+        planes: usize,
+    },
+    /// Friction coefficients for another number of supports.
+    #[error("{0}")]
+    Friction(FrictionProblem),
+}
+
+/// A support: a point of the body, and the plane that it may touch.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Support<'w> {
+    /// From the mass centre, body axes \[m\].
+    pub(in crate::spatial) arm: Vec3,
+    pub(in crate::spatial) plane: &'w Plane,
 }
 
 /// Gravity that no motion can be scaled by.
@@ -81,7 +127,7 @@ impl World {
 
     /// A body under gravity [m/s²] that [`World::new`] would accept.
     pub(in crate::spatial) fn of_checked(body: Body, gravity: Vec3) -> Self {
-        Self { body, gravity, friction: None }
+        Self { body, gravity, friction: None, planes: vec![Plane::FLOOR] }
     }
 
     /// The same world, whose plane has friction: supports may slide. Without it no support that touches slides, whatever that takes.
@@ -101,11 +147,82 @@ impl World {
     /// assert_eq!(problem, FrictionProblem::Count { given: 2, supports: 1 });
     /// ```
     pub fn with_friction(self, friction: Friction) -> Result<Self, FrictionProblem> {
-        friction.check(self.body.supports().len())?;
+        friction.check(self.count())?;
         Ok(Self { friction: Some(friction), ..self })
     }
 
-    /// Friction of the plane; `None` where no support may slide.
+    /// The same world, with friction, where these planes stand in place of z = 0.
+    ///
+    /// # Errors
+    /// The first problem. Friction that was given for each support is wanted for each support of each plane.
+    ///
+    /// # Example
+    /// A groove of two planes that rise at 45° from the x axis.
+    /// ```
+    /// use carom_motion::spatial::{Friction, Plane, World, examples};
+    /// use carom_num::Vec3;
+    /// let flank = |y: f64| Plane::new(Vec3::new(0.0, y, 1.0).unit().unwrap(), 0.0).unwrap();
+    /// let world = World::new(examples::cube(), Vec3::Z * -10.0).unwrap();
+    /// let groove = world.with_friction(Friction::new(0.3)).unwrap().among(vec![flank(1.0), flank(-1.0)]);
+    /// assert_eq!(groove.unwrap().planes().len(), 2);
+    /// ```
+    pub fn among(self, planes: Vec<Plane>) -> Result<Self, PlanesProblem> {
+        let points = self.body.supports().len();
+        let Some(friction) = &self.friction else { return Err(PlanesProblem::NothingSlides) };
+        if planes.is_empty() {
+            return Err(PlanesProblem::None);
+        }
+        if points * planes.len() > Supports::MOST {
+            return Err(PlanesProblem::Count { points, planes: planes.len() });
+        }
+        friction.check(points * planes.len()).map_err(PlanesProblem::Friction)?;
+        Ok(Self { planes, ..self })
+    }
+
+    /// The planes that the body may touch.
+    pub fn planes(&self) -> &[Plane] {
+        &self.planes
+    }
+
+    /// How many supports there are.
+    pub(in crate::spatial) fn count(&self) -> usize {
+        self.body.supports().len() * self.planes.len()
+    }
+
+    /// A support by its number.
+    pub(in crate::spatial) fn support(&self, number: usize) -> Support<'_> {
+        let points = self.body.supports();
+        Support { arm: points[number % points.len()], plane: &self.planes[number / points.len()] }
+    }
+
+    /// Its point, from the mass centre, body axes \[m\].
+    pub(in crate::spatial) fn arm(&self, number: usize) -> Vec3 {
+        self.support(number).arm
+    }
+
+    /// The normal of its plane, world axes.
+    pub(in crate::spatial) fn normal(&self, number: usize) -> Vec3 {
+        self.support(number).plane.normal()
+    }
+
+    /// The supports of a plane.
+    pub(in crate::spatial) fn of_plane(&self, plane: usize) -> Supports {
+        let points = self.body.supports().len();
+        (plane * points..(plane + 1) * points).collect()
+    }
+
+    /// The plane of a support, by its number.
+    pub(in crate::spatial) fn plane_of(&self, support: usize) -> usize {
+        support / self.body.supports().len()
+    }
+
+    /// True where these supports are of one plane, or none.
+    pub(in crate::spatial) fn is_of_one_plane(&self, supports: Supports) -> bool {
+        let mut planes = supports.iter().map(|i| self.plane_of(i));
+        planes.next().is_none_or(|first| planes.all(|plane| plane == first))
+    }
+
+    /// Friction of the planes; `None` where no support may slide.
     pub fn friction(&self) -> Option<&Friction> {
         self.friction.as_ref()
     }

@@ -3,7 +3,7 @@
 use super::mode::{Equations, Mode};
 use crate::spatial::geometry::body::principal_range;
 use crate::spatial::geometry::posture::Posture;
-use crate::spatial::geometry::world::World;
+use crate::spatial::geometry::world::{Support, World};
 use crate::tolerance::ENERGY_ROOM;
 use carom_num::Vec3;
 
@@ -27,8 +27,8 @@ pub(in crate::spatial) struct Bounds {
     largest: f64,
     /// The foot of a mode on the plane, or the mass centre of a flight.
     from: Vec3,
-    /// The foot's own acceleration along the normal: that of a flight.
-    fall: f64,
+    /// The foot's own acceleration, world axes: that of a flight.
+    fall: Vec3,
     /// The edge that all turns about.
     along: Option<Vec3>,
 }
@@ -54,7 +54,7 @@ impl Bounds {
         let pull = equations.weight() * lever.norm();
         let height = world.body().mass() * lever.dot(equations.gravity(at.turned));
         let most = 0.5 * at.spin.dot(about * at.spin) + height + (1.0 + ENERGY_ROOM) * pull;
-        let fall = if equations.mode() == Mode::Flight { world.gravity().z.abs() } else { 0.0 };
+        let fall = if equations.mode() == Mode::Flight { world.gravity() } else { Vec3::ZERO };
         Self { spin: (2.0 * most.max(0.0) / least).sqrt(), pull, least, largest, from: arm, fall, along }
     }
 
@@ -63,12 +63,17 @@ impl Bounds {
         (self.pull + 0.5 * spin * spin * (self.largest - self.least)) / self.least
     }
 
-    /// A bound on the acceleration of a point's height that holds for a while from an instant on [m/s²].
-    pub(in crate::spatial) fn bend(&self, spin: Vec3, arm: Vec3, length: f64) -> f64 {
+    /// A bound on the acceleration of a support's height that holds for a while from an instant on [m/s²].
+    pub(in crate::spatial) fn bend(
+        &self,
+        spin: Vec3,
+        Support { arm, plane }: &Support<'_>,
+        length: f64,
+    ) -> f64 {
         let most = self.spin.min(spin.norm() + self.turning(self.spin) * length);
-        let d = arm - self.from;
+        let d = *arm - self.from;
         let reach = self.along.map_or(d, |u| d - u * d.dot(u)).norm();
-        self.fall + reach * (self.turning(most) + most * most)
+        self.fall.dot(plane.normal()).abs() + reach * (self.turning(most) + most * most)
     }
 }
 
@@ -110,10 +115,11 @@ mod tests {
         for k in 0..300 {
             let elapsed = step * f64::from(k);
             let at = stretch.posture(&y, elapsed);
-            for (support, arm) in world.body().supports().iter().enumerate() {
+            for support in 0..world.count() {
+                let own = world.support(support);
                 let second = stretch.height(&world, support, &at).second.abs();
                 // From the start on for as long as this, and from here on for no time at all.
-                for bend in [bounds.bend(start_spin, *arm, elapsed), bounds.bend(at.spin, *arm, 0.0)] {
+                for bend in [bounds.bend(start_spin, &own, elapsed), bounds.bend(at.spin, &own, 0.0)] {
                     worst = worst.max(if second > 1e-12 { second / bend } else { 0.0 });
                 }
             }
@@ -125,13 +131,15 @@ mod tests {
     #[test]
     fn no_height_accelerates_beyond_its_bound() {
         let world = world();
-        let edge = Mode::holding(world.body(), [0, 3].into_iter().collect());
+        let edge = Mode::holding(&world, [0, 3].into_iter().collect());
         let Mode::Edge { along, .. } = edge else { panic!("two supports make an edge") };
         for size in [0.0, 1.0, 7.0] {
             let spin = Vec3::new(0.4, -0.8, 0.5) * size;
-            for (mode, spin) in
-                [(Mode::Pivot { support: 0 }, spin), (Mode::Flight, spin), (edge, along * size)]
-            {
+            for (mode, spin) in [
+                (Mode::Pivot { support: 0, held: Supports::one(0) }, spin),
+                (Mode::Flight, spin),
+                (edge, along * size),
+            ] {
                 let share = largest_share(mode, spin);
                 assert!(share <= 1.0 && share > 0.05, "{mode:?} at {size}: {share}");
             }

@@ -9,8 +9,8 @@ use carom_impact::ImpactError;
 use carom_impact::spatial::{ContactSet, Touch};
 use carom_num::Vec3;
 
-/// The impact that a body meets at supports that touch the plane, as [`carom_impact::spatial::staged`] takes it. The contacts are in the supports'
-/// order. Those that are `held` have stayed on the plane and do not approach; the others approach as the motion says.
+/// The impact that a body meets at supports that touch their planes, as [`carom_impact::spatial::staged`] takes it. The contacts are in the supports'
+/// order. Those that are `held` have stayed on theirs and do not approach; the others approach as the motion says.
 ///
 /// Asked with an [`Impact`](crate::spatial::record::run::Impact)'s `touching` and `held` and the state before it, it is the question that the run has asked: the walk, observed, says
 /// which other ways there were.
@@ -41,10 +41,11 @@ pub fn frictional_contacts<const N: usize>(
 ) -> Result<ContactSet<N>, ImpactError> {
     let mut set = contacts_of(world, before, touching)?;
     let size = before.velocity.norm() + before.spin.norm() * world.body().reach();
-    let slips = slips_on_plane(world, before, touching, size);
+    let slips = slips_on_planes(world, before, touching, size);
     for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
-        let fall = if held.contains(i) { 0.0 } else { before.velocity_of(world.body().supports()[i]).z };
-        set.velocity[k] = set.frame[k] * Vec3::new(slip.x, slip.y, fall);
+        let normal = world.normal(i);
+        let fall = if held.contains(i) { 0.0 } else { normal.dot(before.velocity_of(world.arm(i))) };
+        set.velocity[k] = Vec3 { z: fall, ..set.frame[k] * slip };
     }
     Ok(set)
 }
@@ -56,8 +57,8 @@ pub(in crate::spatial) fn contacts_of<const N: usize>(
     asked: Supports,
 ) -> Result<ContactSet<N>, ImpactError> {
     let touch = |i: usize| Touch {
-        arm: state.attitude.apply(world.body().supports()[i]),
-        normal: Vec3::Z,
+        arm: state.attitude.apply(world.arm(i)),
+        normal: world.normal(i),
         friction: world.friction().map_or(0.0, |f| f.coefficient(i)),
         restitution: world.friction().map_or(0.0, Friction::restitution),
     };
@@ -65,21 +66,23 @@ pub(in crate::spatial) fn contacts_of<const N: usize>(
     ContactSet::of_free_body(&state.rigid(world.body()), &touches)
 }
 
-/// Slips of supports that all touch the plane, world axes: those of one motion along it, exactly. Slips that are zero but for rounding are zero, and the
-/// others are of the turn about such a support.
+/// Slips of supports that touch their planes, world axes: on each plane those of one motion along it, exactly. Slips that are zero but for rounding are zero,
+/// and the others are of the turn about such a support.
 ///
 /// Their distances do not change, so that differences of slips along them are nothing but the rounding of the body's speeds. A hop may be slower than that is
 /// relative to it, and in its impact no impulse could ever bring such a slip to rest.
-fn slips_on_plane(world: &World, state: &State, touching: Supports, size: f64) -> Vec<Vec3> {
-    let supports = world.body().supports();
-    let along = |v: Vec3| Vec3::new(v.x, v.y, 0.0);
-    let slips: Vec<Vec3> = touching.iter().map(|i| along(state.velocity_of(supports[i]))).collect();
-    let arms: Vec<Vec3> = touching.iter().map(|i| along(state.attitude.apply(supports[i]))).collect();
-    let slowest = (0..slips.len()).min_by(|&i, &j| slips[i].norm().total_cmp(&slips[j].norm()));
-    let Some(base) = slowest else { return slips };
-    let own = if slips[base].norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slips[base] };
-    let turn = Vec3::Z * state.attitude.apply(state.spin).z;
-    let of = |arm: &Vec3| own + turn.cross(*arm - arms[base]);
+fn slips_on_planes(world: &World, state: &State, touching: Supports, size: f64) -> Vec<Vec3> {
+    let own = |i: usize| touching.common(world.of_plane(world.plane_of(i)));
+    let along = |i: usize, v: Vec3| world.support(i).plane.along(v);
+    let slip = |i: usize| along(i, state.velocity_of(world.arm(i)));
     let rounded = |slip: Vec3| if slip.norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slip };
-    arms.iter().map(of).map(rounded).collect()
+    let of = |i: usize| {
+        let slowest = own(i).iter().min_by(|a, b| slip(*a).norm().total_cmp(&slip(*b).norm()));
+        let base = slowest.unwrap_or(i);
+        let (normal, spin) = (world.normal(i), state.attitude.apply(state.spin));
+        let from_base =
+            along(i, state.attitude.apply(world.arm(i))) - along(i, state.attitude.apply(world.arm(base)));
+        rounded(rounded(slip(base)) + (normal * normal.dot(spin)).cross(from_base))
+    };
+    touching.iter().map(of).collect()
 }

@@ -16,12 +16,26 @@ const MOST: usize = 3 * MOST_BEARING;
 pub(in crate::spatial) struct Bearing {
     /// From the mass centre \[m\].
     pub(in crate::spatial) arm: Vec3,
+    /// The tangents and the normal of its plane.
+    pub(in crate::spatial) axes: [Vec3; 3],
     pub(in crate::spatial) friction: f64,
     pub(in crate::spatial) sticks: bool,
     /// Unit vector of its slip; zero where it sticks.
     pub(in crate::spatial) toward: Vec3,
     /// What the forces have to take away: its acceleration without them, or its velocity.
     pub(in crate::spatial) drive: Vec3,
+}
+
+impl Bearing {
+    /// The normal of its plane.
+    pub(in crate::spatial) fn up(&self) -> Vec3 {
+        self.axes[2]
+    }
+
+    /// The part of a vector along its plane.
+    pub(in crate::spatial) fn along(&self, v: Vec3) -> Vec3 {
+        v - self.up() * self.up().dot(v)
+    }
 }
 
 /// What these supports do.
@@ -38,11 +52,9 @@ pub(in crate::spatial) struct Reactions {
     pub(in crate::spatial) regularity: f64,
 }
 
-/// Where forces act and what they do, for a plane whose normal and tangents are these.
+/// Where forces act and what they do.
 pub(in crate::spatial) struct Grip<'a> {
     pub(in crate::spatial) body: &'a Body,
-    pub(in crate::spatial) up: Vec3,
-    pub(in crate::spatial) axes: [Vec3; 2],
     pub(in crate::spatial) bearings: &'a [Bearing],
 }
 
@@ -61,6 +73,15 @@ impl Grip<'_> {
     /// The forces under which no support moves along the normal, and none that sticks moves at all. Of a family of such forces, those of equal springs. `None`
     /// where there are none.
     pub(in crate::spatial) fn reactions(&self) -> Option<Reactions> {
+        self.answer(true)
+    }
+
+    /// The same, where the drives are what rounding has left of supports that move: what no forces could take away of them is left.
+    pub(in crate::spatial) fn corrections(&self) -> Option<Reactions> {
+        self.answer(false)
+    }
+
+    fn answer(&self, exact: bool) -> Option<Reactions> {
         let (pushes, count) = self.pushes();
         let pushes = &pushes[..count];
         match count {
@@ -71,10 +92,10 @@ impl Grip<'_> {
                 let normal = -self.bearings[0].drive.dot(one.axis) / own;
                 Some(self.of(&[normal], pushes, own * self.body.mass()))
             }
-            2..=4 => self.solved::<4>(pushes),
-            5..=10 => self.solved::<10>(pushes),
-            11..=24 => self.solved::<24>(pushes),
-            _ => self.solved::<MOST>(pushes),
+            2..=4 => self.solved::<4>(pushes, exact),
+            5..=10 => self.solved::<10>(pushes, exact),
+            11..=24 => self.solved::<24>(pushes, exact),
+            _ => self.solved::<MOST>(pushes, exact),
         }
     }
 
@@ -87,10 +108,9 @@ impl Grip<'_> {
                 count += 1;
             };
             if b.sticks {
-                self.axes.iter().for_each(|axis| push(*axis, *axis));
-                push(self.up, self.up);
+                b.axes.iter().for_each(|axis| push(*axis, *axis));
             } else {
-                push(self.up - b.toward * b.friction, self.up);
+                push(b.up() - b.toward * b.friction, b.up());
             }
         }
         (pushes, count)
@@ -101,7 +121,7 @@ impl Grip<'_> {
         of.axis.dot(by.linear + by.angular.cross(self.bearings[of.of].arm))
     }
 
-    fn solved<const M: usize>(&self, pushes: &[Push]) -> Option<Reactions> {
+    fn solved<const M: usize>(&self, pushes: &[Push], exact: bool) -> Option<Reactions> {
         let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
         for (k, of) in pushes.iter().enumerate() {
             for (l, by) in pushes.iter().enumerate() {
@@ -112,7 +132,8 @@ impl Grip<'_> {
         if let Some(x) = solve_regular(matrix, right, pushes.len(), MODE_RANK) {
             return Some(self.of(&x, pushes, 1.0));
         }
-        self.sprung(&matrix, &right, pushes)
+        let x = self.sprung(&matrix, &right, pushes, exact)?;
+        Some(self.of(&x, pushes, 1.0))
     }
 
     /// The forces of equal springs, where supports that hold more than they must share what they carry: each in proportion to how far the body sinks in there.
@@ -121,7 +142,8 @@ impl Grip<'_> {
         matrix: &[[f64; M]; M],
         right: &[f64; M],
         pushes: &[Push],
-    ) -> Option<Reactions> {
+        exact: bool,
+    ) -> Option<[f64; M]> {
         let moved = |by: &Push| {
             let (force, moment) = (by.axis, self.bearings[by.of].arm.cross(by.axis));
             (force / self.body.mass(), self.body.mobility() * moment)
@@ -146,12 +168,11 @@ impl Grip<'_> {
             along[a].iter_mut().zip(axes).for_each(|(entry, other)| *entry = dot(&does, other));
         }
         let size = |v: &[f64; M]| v.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-        if size(&basis.left(*right)) > MODE_RANK * size(right) {
+        if exact && size(&basis.left(*right)) > MODE_RANK * size(right) {
             return None;
         }
         let z = solve_regular(along, must, axes.len(), MODE_RANK)?;
-        let x: [f64; M] = std::array::from_fn(|k| axes.iter().zip(z).map(|(axis, z)| axis[k] * z).sum());
-        Some(self.of(&x, pushes, 1.0))
+        Some(std::array::from_fn(|k| axes.iter().zip(z).map(|(axis, z)| axis[k] * z).sum()))
     }
 
     fn of(&self, x: &[f64], pushes: &[Push], regularity: f64) -> Reactions {
@@ -166,7 +187,7 @@ impl Grip<'_> {
             out.forces[push.of] += push.force * *x;
         }
         for (i, b) in self.bearings.iter().enumerate() {
-            out.normals[i] = out.forces[i].dot(self.up);
+            out.normals[i] = out.forces[i].dot(b.up());
             out.force += out.forces[i];
             out.moment += b.arm.cross(out.forces[i]);
         }

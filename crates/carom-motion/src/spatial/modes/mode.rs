@@ -1,7 +1,6 @@
 //! What a body does between events: it flies, turns about a support or an edge, or rests; its equations and the forces on it.
 
-use crate::spatial::geometry::body::Body;
-use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::posture::Posture;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
 use crate::tolerance::ON_EDGE;
@@ -27,20 +26,24 @@ pub enum Mode {
     Pivot {
         /// Which one.
         support: usize,
+        /// It, and the same point's supports of other planes.
+        held: Supports,
     },
     /// It turns about an edge.
     Edge {
-        /// The supports at its ends; others may lie between.
+        /// The supports at its ends.
         ends: [usize; 2],
         /// The unit vector from the first to the second, body axes.
         along: Vec3,
+        /// All that are held.
+        held: Supports,
     },
     /// Three or more supports that are not on one line are held.
     Rest {
         /// Which ones.
         held: Supports,
     },
-    /// Supports slide along the plane.
+    /// Supports slide along their planes.
     Slides {
         /// Those that rest, which the body turns about, or none.
         sticking: Supports,
@@ -55,9 +58,9 @@ fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
 }
 
 impl Mode {
-    /// What a body does while these supports, and no others, are held.
-    pub(in crate::spatial) fn holding(body: &Body, held: Supports) -> Self {
-        let place = |i: usize| body.supports()[i];
+    /// What a body does while the points of these supports, and no others, stay where they are.
+    pub(in crate::spatial) fn holding(world: &World, held: Supports) -> Self {
+        let place = |i: usize| world.arm(i);
         let Some(first) = held.iter().next() else { return Self::Flight };
         let distance = |i: usize, j: usize| (place(i) - place(j)).norm();
         // The ends of a line are a support farthest from any, and the one farthest from that.
@@ -68,23 +71,28 @@ impl Mode {
         let other = farthest(one);
         let ends = [one.min(other), one.max(other)];
         let Some(along) = (place(ends[1]) - place(ends[0])).unit() else {
-            return Self::Pivot { support: first };
+            return Self::Pivot { support: first, held };
         };
-        let collinear = |i: usize| off_line(place(i), place(ends[0]), along) <= ON_EDGE * body.reach();
-        if held.iter().all(collinear) { Self::Edge { ends, along } } else { Self::Rest { held } }
+        let collinear =
+            |i: usize| off_line(place(i), place(ends[0]), along) <= ON_EDGE * world.body().reach();
+        if !held.iter().all(collinear) {
+            return Self::Rest { held };
+        }
+        // Others between the ends touch their plane too, where it holds two of these.
+        let beside = |i: &usize| {
+            let of_its_plane = held.common(world.of_plane(world.plane_of(*i)));
+            of_its_plane.len() >= 2 && collinear(*i)
+        };
+        let between: Supports = (0..world.count()).filter(beside).collect();
+        Self::Edge { ends, along, held: held.union(between) }
     }
 
-    /// The supports that stay on the plane as long as this goes on.
-    pub fn held(&self, body: &Body) -> Supports {
+    /// The supports that stay on their planes as long as this goes on.
+    pub fn held(&self, world: &World) -> Supports {
         match *self {
             Self::Flight => Supports::NONE,
-            Self::Pivot { support } => Supports::one(support),
-            Self::Rest { held } => held,
-            Self::Slides { sticking, slipping } => spanned(body, sticking.union(slipping)),
-            Self::Edge { ends, along } => {
-                let on = |r: &Vec3| off_line(*r, body.supports()[ends[0]], along) <= ON_EDGE * body.reach();
-                body.supports().iter().enumerate().filter(|(_, r)| on(r)).map(|(i, _)| i).collect()
-            }
+            Self::Pivot { held, .. } | Self::Edge { held, .. } | Self::Rest { held } => held,
+            Self::Slides { sticking, slipping } => spanned(world, sticking.union(slipping)),
         }
     }
 
@@ -92,7 +100,7 @@ impl Mode {
     pub(in crate::spatial) fn foot(&self) -> Option<usize> {
         match *self {
             Self::Flight => None,
-            Self::Pivot { support } => Some(support),
+            Self::Pivot { support, .. } => Some(support),
             Self::Edge { ends, .. } => Some(ends[0]),
             Self::Rest { held } => held.iter().next(),
             Self::Slides { sticking, slipping } => sticking.iter().next().or(slipping.iter().next()),
@@ -100,20 +108,28 @@ impl Mode {
     }
 }
 
-/// The supports on the point, line or plane that these span: they stay on the plane with them.
-pub(in crate::spatial) fn spanned(body: &Body, bearing: Supports) -> Supports {
-    let Mode::Rest { held } = Mode::holding(body, bearing) else {
-        return Mode::holding(body, bearing).held(body);
+/// The supports of each plane on the point, line or plane that these span of it: they stay on the plane with them.
+pub(in crate::spatial) fn spanned(world: &World, bearing: Supports) -> Supports {
+    let planes = 0..world.planes().len();
+    planes
+        .map(|plane| spanned_of(world, bearing, world.of_plane(plane)))
+        .fold(Supports::NONE, Supports::union)
+}
+
+/// Those of one plane.
+fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
+    let Mode::Rest { held } = Mode::holding(world, bearing.common(own)) else {
+        return Mode::holding(world, bearing.common(own)).held(world);
     };
-    let place = |i: usize| body.supports()[i];
-    let (Some(first), Some(normal)) = (held.iter().next(), normal_of(body, held)) else { return held };
-    let on = |i: &usize| (place(*i) - place(first)).dot(normal).abs() <= ON_EDGE * body.reach();
-    held.union((0..body.supports().len()).filter(on).collect())
+    let (Some(first), Some(normal)) = (held.iter().next(), normal_of(world, held)) else { return held };
+    let on =
+        |i: &usize| (world.arm(*i) - world.arm(first)).dot(normal).abs() <= ON_EDGE * world.body().reach();
+    held.union(own.iter().filter(on).collect())
 }
 
 /// The unit normal of the plane through three or more supports.
-pub(in crate::spatial) fn normal_of(body: &Body, held: Supports) -> Option<Vec3> {
-    let place = |i: usize| body.supports()[i];
+pub(in crate::spatial) fn normal_of(world: &World, held: Supports) -> Option<Vec3> {
+    let place = |i: usize| world.arm(i);
     let first = held.iter().next()?;
     let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
     let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();
@@ -151,7 +167,7 @@ pub(in crate::spatial) fn normalised(y: &Vector) -> Vector {
 pub(in crate::spatial) struct Equations {
     mode: Mode,
     mass: f64,
-    /// Gravity and the plane's normal, in body axes as they are at the start.
+    /// Gravity and the normal of the foot's plane, or of the first one, in body axes as they are at the start.
     gravity: Vec3,
     up: Vec3,
     /// The foot from the mass centre, body axes; zero in flight.
@@ -168,17 +184,17 @@ impl Equations {
     /// `None` where the inertia about the foot has no inverse, by overflow.
     pub(in crate::spatial) fn of(world: &World, mode: Mode, start: Rotation) -> Option<Self> {
         let body = world.body();
-        let arm = mode.foot().map_or(Vec3::ZERO, |s| body.supports()[s]);
+        let arm = mode.foot().map_or(Vec3::ZERO, |s| world.arm(s));
         let about = body.inertia_about(arm);
         let length = match mode {
-            Mode::Edge { ends: [a, b], .. } => (body.supports()[b] - body.supports()[a]).norm(),
+            Mode::Edge { ends: [a, b], .. } => (world.arm(b) - world.arm(a)).norm(),
             _ => 0.0,
         };
         Some(Self {
             mode,
             mass: body.mass(),
             gravity: start.undo(world.gravity()),
-            up: start.undo(Vec3::Z),
+            up: start.undo(world.normal(mode.foot().unwrap_or(0))),
             arm,
             inertia: body.inertia(),
             about,
@@ -228,14 +244,14 @@ impl Equations {
         [w, x, y, z, turning.x, turning.y, turning.z]
     }
 
-    /// The instant with this turn and spin; `base` is how the foot, or the mass centre, has risen.
-    pub(in crate::spatial) fn posture(&self, y: &Vector, base: Height) -> Posture {
+    /// The instant with this turn and spin; `base` is how the foot, or the mass centre, has gone.
+    pub(in crate::spatial) fn posture(&self, y: &Vector, base: [Vec3; 3]) -> Posture {
         let (turned, spin) = unpack(&normalised(y));
         let turning = self.turning(turned, spin);
-        Posture { turned, up_then: self.up, up: turned.undo(self.up), spin, turning, from: self.arm, base }
+        Posture { turned, up: turned.undo(self.up), spin, turning, from: self.arm, base }
     }
 
-    /// The whole force on the body from the plane, body axes \[N\]: `m (a − g)`.
+    /// The whole force on the body from what it touches, body axes \[N\]: `m (a − g)`.
     pub(in crate::spatial) fn force(&self, at: &Posture) -> Vec3 {
         let foot = -self.arm;
         let acceleration = at.turning.cross(foot) + at.spin.cross(at.spin.cross(foot));

@@ -1,32 +1,32 @@
 //! What supports that are kept make of a state: they stand on the plane, and the body turns about their line or not at all.
 
 use super::mode::{Mode, normal_of};
-use crate::spatial::geometry::body::Body;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
+use crate::spatial::geometry::world::{Support, World};
 use crate::tolerance::MOST_SETTLING_TURN;
 use carom_num::{Rotation, Vec3};
 
 /// The direction in the body that must come to lie along the plane's normal, given what it is near to; `None` where the held supports leave it open.
-fn wanted_normal(body: &Body, mode: Mode, up: Vec3) -> Option<Vec3> {
+fn wanted_normal(world: &World, mode: Mode, up: Vec3) -> Option<Vec3> {
     match mode {
-        Mode::Flight | Mode::Pivot { .. } => None,
-        Mode::Slides { sticking, slipping } => {
-            wanted_normal(body, Mode::holding(body, sticking.union(slipping)), up)
-        }
+        Mode::Flight | Mode::Pivot { .. } | Mode::Slides { .. } => None,
         Mode::Edge { along, .. } => (up - along * up.dot(along)).unit(),
         Mode::Rest { held } => {
-            let normal = normal_of(body, held)?;
+            let normal = normal_of(world, held)?;
             Some(if normal.dot(up) < 0.0 { -normal } else { normal })
         }
     }
 }
 
-/// The state with its held supports on the plane, at rest: the least turn that levels them; the rest of the spin stays.
-pub(in crate::spatial) fn settled(body: &Body, mode: Mode, state: &State) -> State {
+/// The state with its held supports on the plane, at rest: the least turn that levels them; the rest of the spin stays. Supports of several planes keep the
+/// attitude that they have.
+pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> State {
     let Some(foot) = mode.foot() else { return *state };
-    let up = state.up();
-    let turn = wanted_normal(body, mode, up).map_or(Vec3::ZERO, |normal| normal.cross(up));
+    let Support { arm, plane } = world.support(foot);
+    let up = state.attitude.undo(plane.normal());
+    let wanted = wanted_normal(world, mode, up).filter(|_| world.is_of_one_plane(mode.held(world)));
+    let turn = wanted.map_or(Vec3::ZERO, |normal| normal.cross(up));
     // In body axes: the normal n goes to where e is, R e' = z with e' = n.
     let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_SETTLING_TURN {
         let turned = state.attitude.after(Rotation::by(turn));
@@ -39,17 +39,16 @@ pub(in crate::spatial) fn settled(body: &Body, mode: Mode, state: &State) -> Sta
         Mode::Edge { along, .. } => along * along.dot(state.spin),
         _ => state.spin,
     };
-    let arm = body.supports()[foot];
-    let at = state.place(arm);
-    let centre = Vec3::new(at.x, at.y, 0.0) - attitude.apply(arm);
+    let centre = plane.onto(state.place(arm)) - attitude.apply(arm);
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
 }
 
 /// The spin of a body once a whole edge holds it too: the impulses act on that edge, so that the angular momentum about it stays.
-pub(in crate::spatial) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec3 {
+pub(in crate::spatial) fn spin_on(world: &World, mode: Mode, state: &State) -> Vec3 {
+    let body = world.body();
     match mode {
-        Mode::Edge { ends: [end, _], along } => {
-            let arm = body.supports()[end];
+        Mode::Edge { ends: [end, _], along, .. } => {
+            let arm = world.arm(end);
             let moved = arm.cross(state.attitude.undo(state.velocity)) * body.mass();
             let momentum = body.inertia() * state.spin - moved;
             along * (along.dot(momentum) / along.dot(body.inertia_about(arm) * along))
@@ -60,32 +59,33 @@ pub(in crate::spatial) fn spin_on(body: &Body, mode: Mode, state: &State) -> Vec
 }
 
 /// All supports of a set that is held in this mode.
-pub(in crate::spatial) fn all_held(body: &Body, mode: Mode, kept: Supports) -> bool {
-    kept.difference(mode.held(body)).is_empty()
+pub(in crate::spatial) fn all_held(world: &World, mode: Mode, kept: Supports) -> bool {
+    kept.difference(mode.held(world)).is_empty()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spatial::geometry::body::Body;
     use carom_num::Mat3;
 
-    fn cube() -> Body {
+    fn cube() -> World {
         let corner = |x: f64, y: f64| Vec3::new(x, y, -0.5);
         let corners = vec![corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5)];
-        Body::new(1.0, Mat3::IDENTITY, corners).unwrap()
+        World::new(Body::new(1.0, Mat3::IDENTITY, corners).unwrap(), -Vec3::Z).unwrap()
     }
 
     #[test]
     fn kept_supports_come_to_lie_on_the_plane() {
-        let body = cube();
+        let world = cube();
         let attitude = Rotation::by(Vec3::Z * 0.7).after(Rotation::by(Vec3::new(1e-6, -3e-6, 0.0)));
         let spin = Vec3::new(0.1, 0.2, 0.3);
-        let state = State::standing(&body, 1, attitude, spin);
+        let state = State::standing(world.body(), 1, attitude, spin);
         for kept in [[1, 2].into_iter().collect::<Supports>(), (0..4).collect()] {
-            let mode = Mode::holding(&body, kept);
-            let after = settled(&body, mode, &state);
+            let mode = Mode::holding(&world, kept);
+            let after = settled(&world, mode, &state);
             for i in kept.iter() {
-                let height = after.place(body.supports()[i]).z;
+                let height = after.place(world.arm(i)).z;
                 assert!(height.abs() < 1e-15, "{i}: {height}");
             }
             let spin = if kept.len() == 2 { Vec3::Y * 0.2 } else { Vec3::ZERO };

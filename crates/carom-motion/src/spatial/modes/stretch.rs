@@ -1,7 +1,7 @@
 //! One stretch of motion: from what the integration takes to the state of the body, and back.
 
 use super::mode::{Equations, Mode, Vector, normalised, pack, unpack};
-use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::posture::{Height, Posture, Upright};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
@@ -10,12 +10,19 @@ use carom_num::{Rotation, Vec3};
 /// The heights of all supports \[m\].
 pub(in crate::spatial) type Heights = [f64; Supports::MOST];
 
+/// The planes' normals, where a stretch starts.
+pub(in crate::spatial) fn uprights(world: &World, attitude: Rotation) -> Vec<Upright> {
+    let of = |normal: Vec3| Upright { normal, then: attitude.undo(normal) };
+    world.planes().iter().map(|plane| of(plane.normal())).collect()
+}
+
 /// A stretch of motion in one mode.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::spatial) struct Stretch {
     pub(in crate::spatial) equations: Equations,
     /// Heights at the start.
     heights: Heights,
+    planes: Vec<Upright>,
     attitude: Rotation,
     /// Where the foot stands, or where the mass centre was at the start \[m\].
     place: Vec3,
@@ -38,10 +45,11 @@ impl Stretch {
             (state.centre, state.velocity)
         } else {
             let foot = state.place(equations.arm());
-            (Vec3::new(foot.x, foot.y, 0.0), Vec3::ZERO)
+            (world.support(mode.foot().unwrap_or(0)).plane.onto(foot), Vec3::ZERO)
         };
         let (attitude, spin, gravity) = (state.attitude, state.spin, world.gravity());
-        Some(Self { equations, heights: *heights, attitude, place, velocity, spin, gravity })
+        let planes = uprights(world, attitude);
+        Some(Self { equations, heights: *heights, planes, attitude, place, velocity, spin, gravity })
     }
 
     fn flies(&self) -> bool {
@@ -53,14 +61,13 @@ impl Stretch {
         pack(Rotation::NONE, self.spin)
     }
 
-    /// How much the mass centre of a flight has risen; a foot does not.
-    fn base(&self, elapsed: f64) -> Height {
+    /// How far the mass centre of a flight has gone; a foot stays.
+    fn base(&self, elapsed: f64) -> [Vec3; 3] {
         if !self.flies() {
-            return Height::default();
+            return [Vec3::ZERO; 3];
         }
-        let (rate, fall) = (self.velocity.z, self.gravity.z);
-        let value = elapsed * (rate + 0.5 * fall * elapsed);
-        Height { value, rate: rate + fall * elapsed, second: fall }
+        let gone = (self.velocity + self.gravity * (0.5 * elapsed)) * elapsed;
+        [gone, self.velocity + self.gravity * elapsed, self.gravity]
     }
 
     /// The instant at which so much time has passed.
@@ -70,7 +77,7 @@ impl Stretch {
 
     /// The height of a support at an instant.
     pub(in crate::spatial) fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
-        at.height(world.body().supports()[support], self.heights[support])
+        at.height(&self.planes[world.plane_of(support)], world.arm(support), self.heights[support])
     }
 
     /// The state at which so much time has passed.

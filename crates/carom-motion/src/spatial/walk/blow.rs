@@ -94,7 +94,7 @@ impl Walker<'_> {
             .map_or_else(Default::default, crate::spatial::geometry::friction::Friction::law);
         let refused = |error| MotionError::Impact { time: self.time, error };
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        let held = self.mode.held(self.world.body());
+        let held = self.mode.held(self.world);
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
         for (k, _) in touching.iter().enumerate().filter(|(_, i)| held.contains(*i)) {
             set.velocity[k].z = -press * size;

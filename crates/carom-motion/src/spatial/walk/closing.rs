@@ -51,23 +51,23 @@ impl Walker<'_> {
 
     /// Closes a series: the supports that any of its impacts keeps rest. If they would not stay, there is no series.
     fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
-        let body = self.world.body();
+        let world = self.world;
         let before = (self.state, self.mode, self.departing, self.heights);
         let impacts = self.impacts.len();
-        let mode = Mode::holding(body, series.kept);
+        let mode = Mode::holding(world, series.kept);
         if self.world.friction().is_some() {
             let Some(state) = self.landed(series.kept) else { return Ok(Closed::Not) };
             self.state = state;
         } else {
-            self.state.spin = spin_on(body, mode, &self.state);
-            self.state = settled(body, mode, &self.state);
+            self.state.spin = spin_on(world, mode, &self.state);
+            self.state = settled(world, mode, &self.state);
         }
         self.level_heights(mode);
         // A body at rest may lie on more supports than the series' impacts have kept.
         let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
         let kept = series.kept.union(resting);
         let end = self.hold(kept, None)?;
-        if !all_held(body, self.mode, kept) && self.impacts.len() == impacts {
+        if !all_held(world, self.mode, kept) && self.impacts.len() == impacts {
             (self.state, self.mode, self.departing, self.heights) = before;
             return Ok(Closed::Not);
         }
@@ -80,27 +80,38 @@ impl Walker<'_> {
         Ok(Closed::Yes(end))
     }
 
-    /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge.
+    /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge. On several planes they are
+    /// the ones that they were.
     fn level_heights(&mut self, mode: Mode) {
-        let supports = self.world.body().supports();
+        let (world, held) = (self.world, mode.held(self.world));
         let rests = matches!(mode, Mode::Rest { .. });
-        if let Mode::Edge { ends: [a, b], along } = mode {
-            let (low, high) = (self.heights[a], self.heights[b]);
-            let length = (supports[b] - supports[a]).norm();
-            for (height, arm) in self.heights.iter_mut().zip(supports) {
-                *height -= low + (high - low) * (*arm - supports[a]).dot(along) / length;
+        if world.is_of_one_plane(held) {
+            match mode {
+                Mode::Edge { ends: [a, b], along, .. } => {
+                    let (low, high) = (self.heights[a], self.heights[b]);
+                    let length = (world.arm(b) - world.arm(a)).norm();
+                    let sunk =
+                        |i: usize| low + (high - low) * (world.arm(i) - world.arm(a)).dot(along) / length;
+                    self.sink(a, sunk);
+                }
+                Mode::Pivot { support, .. } => {
+                    let low = self.heights[support];
+                    self.sink(support, |_| low);
+                }
+                _ => {}
             }
         }
-        if let Mode::Pivot { support } = mode {
-            let low = self.heights[support];
-            self.heights.iter_mut().for_each(|height| *height -= low);
-        }
-        let held = mode.held(self.world.body());
-        for (i, height) in self.heights.iter_mut().enumerate().take(supports.len()) {
+        for (i, height) in self.heights.iter_mut().enumerate().take(world.count()) {
             if held.contains(i) || rests && *height < LIES_ON_PLANE * self.scales.length {
                 *height = 0.0;
             }
         }
+    }
+
+    /// The supports of the same plane come down by this.
+    fn sink(&mut self, support: usize, by: impl Fn(usize) -> f64) {
+        let own = self.world.of_plane(self.world.plane_of(support));
+        own.iter().for_each(|i| self.heights[i] -= by(i));
     }
 
     /// Whatever was seen of series is over.

@@ -64,7 +64,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
         }
         first = first.map(|found| placed(self, step, found.event, found.at));
         let held = self.held;
-        let free = (0..self.walker.world.body().supports().len()).filter(|i| !held.contains(*i));
+        let free = (0..self.walker.world.count()).filter(|i| !held.contains(*i));
         for support in free {
             let until = first.map_or(1.0, |found| found.at);
             let from = if self.departing.contains(support) {
@@ -91,8 +91,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
         step: &Step<M::Y>,
         (support, from, until): (usize, f64, f64),
     ) -> Option<Found<Event>> {
-        let arm = self.walker.world.body().supports()[support];
-        let length = step.length;
+        let (own, length) = (self.walker.world.support(support), step.length);
         let mut x = from;
         while x < until {
             let at = self.place(step, x).1;
@@ -101,9 +100,16 @@ impl<M: Motion> Gliding<'_, '_, M> {
             if height.value.is_nan() {
                 return None;
             }
-            let bend = self.motion.bend(&at, arm, (until - x) * length);
+            let bend = self.motion.bend(&at, &own, (until - x) * length);
             if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
                 let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
+                // A height that hardly changes, as that of a point which is held, may come down long after this step.
+                let later =
+                    ends[0] >= until || ends[1] > until && self.look(step, support, until).value > 0.0;
+                if later {
+                    return None;
+                }
+                let ends = ends.map(|end| end.min(until));
                 let at = root_between(ends, length, &mut |x| self.look(step, support, x));
                 return (at < until).then_some(Found::at(at, Event::Touches(support)));
             }

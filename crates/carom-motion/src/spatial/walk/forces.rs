@@ -1,6 +1,7 @@
 //! The forces on the supports that are held, for whoever looks at a motion.
 
-use super::sliding::{Carried, Sliding};
+use super::sliding::Sliding;
+use super::sliding::carriers::Carried;
 use crate::MotionError;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
@@ -10,7 +11,7 @@ use crate::spatial::modes::mode::Mode;
 use crate::spatial::terms::Choice;
 use carom_num::Vec3;
 
-/// What the plane does to the supports that a body holds.
+/// What the planes do to the supports that a body holds.
 ///
 /// # Example
 /// A cube of 1 kg that lies still at g = 10 m/s² rests on four corners, which carry 10 N together and need no
@@ -45,12 +46,12 @@ pub struct Forces {
 /// # Example
 /// A rod of 2 m and 1 kg, held by its foot at 45° and let go: `N = m g (1 − ¾ sin² 45°)`, `T = ¾ m g sin 45° cos 45°`.
 /// ```
-/// use carom_motion::spatial::{Body, Mode, State, World, forces};
+/// use carom_motion::spatial::{Body, Mode, State, Supports, World, forces};
 /// use carom_num::{Mat3, Rotation, Vec3};
 /// let rod = Body::new(1.0, Mat3::diagonal(1.0 / 3.0, 1.0 / 3.0, 1e-3), vec![-Vec3::Z]).unwrap();
 /// let leaning = State::standing(&rod, 0, Rotation::by(Vec3::Y * std::f64::consts::FRAC_PI_4), Vec3::ZERO);
 /// let world = World::new(rod, Vec3::Z * -10.0).unwrap();
-/// let held = forces(&world, Mode::Pivot { support: 0 }, &leaning)?.unwrap();
+/// let held = forces(&world, Mode::Pivot { support: 0, held: Supports::one(0) }, &leaning)?.unwrap();
 /// let (support, force) = held.forces[0];
 /// assert!(support == 0 && (force - Vec3::new(3.75, 0.0, 6.25)).norm() < 1e-13);
 /// assert!((held.friction_demand - 0.6).abs() < 1e-14);
@@ -62,19 +63,22 @@ pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>
         let heights = [0.0; Supports::MOST];
         let forces = Sliding::from(world, &carried, state, &heights)
             .and_then(|(sliding, first)| sliding.forces(&first));
-        return Ok(forces.filter(|f| f.iter().all(|(_, force)| force.z >= 0.0)).map(sliding_forces));
+        return Ok(forces
+            .filter(|f| f.iter().all(|(i, force)| world.normal(*i).dot(*force) >= 0.0))
+            .map(|f| sliding_forces(world, f)));
     }
-    let asked = mode.held(world.body());
+    let asked = mode.held(world);
     let question = Question { world, state, time: 0.0, asked, without: None, choice: Choice::KeepMost };
     let way = question.of_motion()?.way.filter(|way| way.kept == asked);
     Ok(way.map(|Way { pushes, friction_demand, .. }| Forces { forces: pushes, friction_demand }))
 }
 
-fn sliding_forces(forces: Vec<(usize, Vec3)>) -> Forces {
-    let demand = |force: &Vec3| {
-        let across = Vec3::new(force.x, force.y, 0.0).norm();
-        if across > 0.0 { across / force.z } else { 0.0 }
+fn sliding_forces(world: &World, forces: Vec<(usize, Vec3)>) -> Forces {
+    let demand = |(support, force): &(usize, Vec3)| {
+        let plane = world.support(*support).plane;
+        let across = plane.along(*force).norm();
+        if across > 0.0 { across / plane.normal().dot(*force) } else { 0.0 }
     };
-    let friction_demand = forces.iter().map(|(_, force)| demand(force)).fold(0.0, f64::max);
+    let friction_demand = forces.iter().map(demand).fold(0.0, f64::max);
     Forces { forces, friction_demand }
 }

@@ -42,7 +42,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     pub(in crate::spatial) fn from(walker: &'g mut Walker<'w>, motion: M) -> Self {
         let body = walker.world.body();
         Self {
-            held: walker.mode.held(body),
+            held: walker.mode.held(walker.world),
             departing: std::mem::take(&mut walker.departing),
             overturning: walker.options.overturning,
             middle: body.middle(),
@@ -56,10 +56,26 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
 
     pub(super) fn first_length(&self, first: &M::Y) -> f64 {
         let (at, unit) = (self.motion.posture(first, 0.0), self.walker.scales.time);
-        let free = (0..self.walker.world.body().supports().len()).filter(|i| !self.held.contains(*i));
+        let free = (0..self.walker.world.count()).filter(|i| !self.held.contains(*i));
         let foreseen = free.filter_map(|i| self.height(i, &at).forecast()).fold(f64::INFINITY, f64::min);
         let own = if self.walker.length > 0.0 { self.walker.length } else { FIRST_STEP * unit };
         own.max(FIRST_STEP * unit).min(BEYOND * foreseen).max(SHORTEST_SPATIAL_STEP * unit)
+    }
+
+    /// A step of this length or less, implicit where explicit ones would be short, and the length of the next.
+    fn one_step(
+        &mut self,
+        from: (&M::Y, &M::Y),
+        length: f64,
+        pace: &Pace<M::Y>,
+    ) -> Result<(Step<M::Y>, f64), Lost> {
+        match self.motion.stiff_step(from, (length, pace.longest), &pace.tolerance) {
+            Some(stiff) => {
+                self.walker.effort.steps += 1;
+                Ok(stiff)
+            }
+            None => course::step(self, from, length, pace),
+        }
     }
 
     /// The stretch ends here, so long after its start.
@@ -74,12 +90,12 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     /// Carries the heights on to the end of a stretch. Heights that are not small are measured again, so that rounding does not add up.
     fn note_heights(&mut self, at: &Posture) {
         let (world, foot) = (self.walker.world, self.walker.mode.foot());
-        for support in 0..world.body().supports().len() {
+        for support in 0..world.count() {
             let counted = self.height(support, at).value;
             self.walker.heights[support] = if self.held.contains(support) {
                 0.0
             } else if counted > SMALL_HEIGHT * self.walker.scales.length {
-                measured(world.body(), &self.walker.state, foot, support)
+                measured(world, &self.walker.state, foot, support)
             } else {
                 counted
             };
@@ -107,6 +123,10 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
             observer.sample(begin + along, mode, &state(along));
         }
     }
+}
+
+fn is_number<Y: Vector>(rate: &Y) -> bool {
+    (0..Y::COUNT).all(|i| rate.at(i).is_finite())
 }
 
 /// Rates of a motion. If one of them is no number, none is. Rates that do not exist, because friction jams the body, are not lost numbers.
@@ -201,12 +221,15 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
             self.arrive(from.0, self.elapsed);
             return Err(Lost::Short(longest));
         }
-        let made = if let Some(stiff) = self.motion.stiff_step(from, (length, longest), &pace.tolerance) {
-            self.walker.effort.steps += 1;
-            Ok(stiff)
-        } else {
-            course::step(self, from, length, pace)
-        };
+        let mut made = self.one_step(from, length, pace);
+        // Where the forces grow without bound there are no rates: the motion goes on to just before.
+        while let Ok((step, _)) = &made
+            && !(is_number(&step.end_rate) && is_number(&step.at(0.5)))
+        {
+            let length = 0.5 * step.length;
+            made =
+                if length < shortest { Err(Lost::Short(length)) } else { self.one_step(from, length, pace) };
+        }
         match made {
             Ok((_, next)) => self.walker.length = next,
             Err(_) => self.arrive(from.0, self.elapsed),

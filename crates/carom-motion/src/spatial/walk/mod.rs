@@ -8,6 +8,7 @@ pub(in crate::spatial) mod glide;
 pub(in crate::spatial) mod gliding;
 pub(in crate::spatial) mod motion;
 pub(in crate::spatial) mod onset;
+pub(in crate::spatial) mod question;
 pub(in crate::spatial) mod rough;
 pub(in crate::spatial) mod series;
 pub(in crate::spatial) mod sliding;

@@ -2,8 +2,9 @@
 
 use crate::spatial::geometry::posture::{Height, Posture};
 use crate::spatial::geometry::state::State;
-use crate::spatial::geometry::world::World;
+use crate::spatial::geometry::world::{Support, World};
 use crate::spatial::modes::bounds::Bounds;
+use crate::spatial::modes::capacity::Capacity;
 use crate::spatial::modes::mode::{Mode, Vector, normalised};
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::Budget;
@@ -93,7 +94,7 @@ pub(in crate::spatial) trait Motion {
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height;
 
     /// What the acceleration of a support's height does not exceed for a while \[m/s²\].
-    fn bend(&self, at: &Posture, arm: Vec3, time: f64) -> f64;
+    fn bend(&self, at: &Posture, support: &Support<'_>, time: f64) -> f64;
 
     /// Events whose functions are looked at at nodes, but for overturning.
     fn smooth_events(&self) -> Vec<Event>;
@@ -115,18 +116,25 @@ pub(super) struct Standing {
     bounds: Bounds,
     /// Friction coefficients of the foot and the other end of an edge; `None` where no support slides whatever that takes.
     friction: Option<[f64; 2]>,
+    /// What the supports can take where they are of several planes.
+    capacity: Option<Capacity>,
 }
 
 impl Standing {
     pub(in crate::spatial) fn of(world: &World, stretch: Stretch) -> Self {
-        let at = stretch.posture(&stretch.first(), 0.0);
+        let first = stretch.first();
+        let (at, attitude) = (stretch.posture(&first, 0.0), stretch.state(&first, 0.0).attitude);
         let ends = match stretch.equations.mode() {
-            Mode::Pivot { support } => [support; 2],
+            Mode::Pivot { support, .. } => [support; 2],
             Mode::Edge { ends, .. } => ends,
             _ => [0; 2],
         };
         let friction = world.friction().map(|friction| ends.map(|end| friction.coefficient(end)));
-        Self { stretch, bounds: Bounds::of(world, &stretch.equations, &at), friction }
+        let (bounds, held) =
+            (Bounds::of(world, &stretch.equations, &at), stretch.equations.mode().held(world));
+        let apart = !world.is_of_one_plane(held);
+        let capacity = apart.then(|| Capacity::of(world, held, attitude)).flatten();
+        Self { stretch, bounds, friction, capacity }
     }
 
     /// What is left of the friction cones: at each end, and of both ends along the edge between them. The last counts with the largest friction along the edge
@@ -185,13 +193,15 @@ impl Motion for Standing {
         self.stretch.height(world, support, at)
     }
 
-    fn bend(&self, at: &Posture, arm: Vec3, time: f64) -> f64 {
-        self.bounds.bend(at.spin, arm, time)
+    fn bend(&self, at: &Posture, support: &Support<'_>, time: f64) -> f64 {
+        self.bounds.bend(at.spin, support, time)
     }
 
     fn smooth_events(&self) -> Vec<Event> {
         let (mut events, grips) = match self.stretch.equations.mode() {
-            Mode::Pivot { support } => (vec![Event::Lets { support, place: 0 }], 1),
+            // Which of them slips, and whether one is let go, the rate problem says.
+            _ if self.capacity.is_some() => (vec![], 1),
+            Mode::Pivot { support, .. } => (vec![Event::Lets { support, place: 0 }], 1),
             Mode::Edge { ends: [a, b], .. } => {
                 (vec![Event::Lets { support: a, place: 0 }, Event::Lets { support: b, place: 1 }], 3)
             }
@@ -206,7 +216,10 @@ impl Motion for Standing {
     fn value(&self, event: &Event, _: &Vector, at: &Posture) -> f64 {
         match (*event, self.friction) {
             (Event::Lets { place, .. }, _) => self.stretch.equations.normal_forces(at)[place],
-            (Event::Slips(which), Some(friction)) => self.grip(friction, which, at),
+            (Event::Slips(which), Some(friction)) => match &self.capacity {
+                Some(capacity) => capacity.left(at),
+                None => self.grip(friction, which, at),
+            },
             _ => f64::INFINITY,
         }
     }

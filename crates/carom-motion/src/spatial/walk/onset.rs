@@ -18,6 +18,10 @@ use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
 const SLOW_CHANGE: f64 = 0.2;
 /// A slip is slow that friction could turn or stop within this fraction of the world's time.
 const SLOW: f64 = 0.02;
+/// Slips that supports of other planes leave less of a turn than this cannot turn.
+const LEAST_FREEDOM: f64 = 1e-3;
+/// The places of the spin, the slip and the spin about the normal in what is integrated.
+const MOVES: [usize; 6] = [4, 5, 6, 9, 10, 12];
 /// The longest implicit step, which is the first one's length, in the world's time.
 const FIRST: f64 = 0.05;
 
@@ -42,13 +46,34 @@ impl Sliding {
 
     /// By what a slip that is turned is turned back, per radian \[m/s²\].
     fn turned_back(&self, y: &Vector, rate: &Vector, slip: &Slowing) -> f64 {
+        if self.apart {
+            return self.turned_back_apart(y, rate, slip);
+        }
+        let [east, north, up] = self.moment(y).axes;
         let aside = slip.aside * (SLIP_TURN * slip.speed);
         let mut turned = *y;
-        (turned[9], turned[10]) = (y[9] + aside.x, y[10] + aside.y);
+        (turned[9], turned[10]) = (y[9] + aside.dot(east), y[10] + aside.dot(north));
         let then = self.rate(&turned);
-        let foot = Vec3::new(then[9] - rate[9], then[10] - rate[10], 0.0);
-        let change = foot + Vec3::Z.cross(slip.from_foot) * (then[12] - rate[12]);
+        let foot = east * (then[9] - rate[9]) + north * (then[10] - rate[10]);
+        let change = foot + up.cross(slip.from_foot) * (then[12] - rate[12]);
         slip.change - change.dot(slip.aside) / SLIP_TURN
+    }
+
+    /// The same where supports of several planes leave a slip less freedom to turn, or none: then nothing turns it back.
+    fn turned_back_apart(&self, y: &Vector, rate: &Vector, slip: &Slowing) -> f64 {
+        let size = SLIP_TURN * slip.speed;
+        let (velocity, spin) = self.admissible(y, slip.aside * size, Vec3::ZERO);
+        let axes = self.moment(y).axes;
+        let arm = slip.from_foot + self.foot;
+        let share = (velocity + spin.cross(arm)).dot(slip.aside) / size;
+        if share < LEAST_FREEDOM {
+            return 0.0;
+        }
+        let then = self.rate(&self.changed(y, velocity, spin, axes));
+        let by = |k: usize| then[k] - rate[k];
+        let foot = axes[0] * by(9) + axes[1] * by(10);
+        let change = foot + Vec3::new(by(4), by(5), by(6)).cross(slip.from_foot);
+        slip.change - change.dot(slip.aside) / (SLIP_TURN * share)
     }
 
     /// An implicit step within the tolerance, and the length of the next; `None` where none is found.
@@ -108,6 +133,8 @@ impl Sliding {
             let [own, others] = self.slowest(y).map(|speed| FORCE_DIFFERENCE * speed);
             let reach = self.scales().length;
             std::array::from_fn(|d| match d {
+                // On several planes every part of the spin moves supports along one of them.
+                4..=6 if self.apart => (FORCE_DIFFERENCE / self.scales().time).min(others / reach),
                 4..=6 => FORCE_DIFFERENCE / self.scales().time,
                 12 => others / reach,
                 9 | 10 => own.min(others),
@@ -123,29 +150,35 @@ impl Sliding {
     fn guess(&self, y: &Vector, rate: &Vector, length: f64) -> Stages<DIMENSIONS> {
         let mut ahead: Vector = std::array::from_fn(|d| y[d] + length * rate[d]);
         let starting = self.starting(y);
-        if let Some((slip, yaw)) = starting {
-            // Friction is asked for where the slips have started: how fast does not matter.
-            let slip = slip * SLIP_STARTED;
-            (ahead[9], ahead[10], ahead[12]) = (y[9] + slip.x, y[10] + slip.y, y[12] + yaw * SLIP_STARTED);
+        let Some(start) = starting else {
+            let there = self.rate(&ahead);
+            return NODES.map(|c| std::array::from_fn(|d| rate[d] + c * (there[d] - rate[d])));
+        };
+        let resting = self.resting(y);
+        // Friction is asked for where the slips have started: how fast does not matter.
+        if self.apart {
+            ahead = self.projected(&ahead, resting);
+            MOVES.into_iter().for_each(|d| ahead[d] += start[d] * SLIP_STARTED);
+        } else {
+            [9, 10, 12].into_iter().for_each(|d| ahead[d] = y[d] + start[d] * SLIP_STARTED);
         }
         let there = self.rate(&ahead);
-        let mut guess: Stages<DIMENSIONS> =
-            NODES.map(|c| std::array::from_fn(|d| rate[d] + c * (there[d] - rate[d])));
-        let Some((slip, yaw)) = starting else { return guess };
+        // Both without what makes the slips grow, and how much that is.
+        let [own, last] = [(y, rate), (&ahead, &there)].map(|(y, rate)| self.held_back(y, rate, resting));
         let reach = self.scales().length;
-        let size = slip.dot(slip) + yaw * yaw * reach * reach;
-        let along = |k: &Vector, k0: &Vector| {
-            (slip.x * k[9] + slip.y * k[10] + yaw * (k[12] - k0[12]) * reach * reach) / size
+        let weight = |d: usize| if (9..=10).contains(&d) { 1.0 } else { reach * reach };
+        let size: f64 = MOVES.iter().map(|d| start[*d] * start[*d] * weight(*d)).sum();
+        let grown = |k: &Vector, held: &Vector| -> f64 {
+            MOVES.iter().map(|d| start[*d] * (k[*d] - held[*d]) * weight(*d)).sum::<f64>() / size
         };
-        let first = along(rate, rate).max(0.0);
+        let first = grown(rate, &own).max(0.0);
         let least = LEAST_SLIP_GROWTH * self.gravity_size() * length / self.scales().time;
-        let last = along(&there, rate).max(first + least);
-        for (k, c) in guess.iter_mut().zip(NODES) {
-            let growth = first + c * (last - first);
-            (k[9], k[10]) = (slip.x * growth, slip.y * growth);
-            k[12] = rate[12] + yaw * (growth - first);
-        }
-        guess
+        let more = (grown(&there, &last) - first).max(least);
+        NODES.map(|c| {
+            let mut guess: Vector = std::array::from_fn(|d| own[d] + c * (last[d] - own[d]));
+            MOVES.into_iter().for_each(|d| guess[d] += start[d] * (first + c * more));
+            guess
+        })
     }
 
     /// The step through the stages.

@@ -1,33 +1,26 @@
 //! Supports with friction: which of those that touch stick, slide or open, and what an event of theirs brings.
 
-use super::sliding::{Carried, Sliding, Vector};
+use super::motion::Motion;
+use super::question::Carries;
+use super::sliding::carriers::Carried;
+use super::sliding::{Sliding, Vector};
 use super::walker::{Walker, without_way};
 use crate::MotionError;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::modes::contacts::Conclusive;
-use crate::spatial::modes::frictional::contacts_of;
 use crate::spatial::modes::grip::{Bearing, Grip, MOST_BEARING};
 use crate::spatial::modes::mode::{Mode as BodyMode, Vector as Standing, spanned};
+use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End};
 use crate::spatial::terms::Choice;
-use crate::tolerance::{CONES_LEFT_AT_ONCE, INSIDE_CONE, RESTING_SLIP, WEIGHTLESS};
-use carom_impact::Load;
-use carom_impact::spatial::{Conclusion, Mode as ContactMode, RateProblem};
+use crate::tolerance::{CONES_LEFT_AT_ONCE, RESTING_SLIP, SLIPS_AHEAD};
+use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
+use carom_num::ode8::step_plain;
 
 /// At the limit of a series the impulses that end it stop every slip that is below this many times the largest speed along the normal.
 const SWEPT: f64 = 4.0;
-
-/// What becomes of supports that touch.
-#[derive(Clone, Debug, Default)]
-struct Carries {
-    sticking: Supports,
-    slipping: Supports,
-    /// Where slips that are zero start, world axes.
-    leads: Vec<(usize, Vec3)>,
-}
 
 impl Walker<'_> {
     /// Speeds below this are rest.
@@ -38,8 +31,7 @@ impl Walker<'_> {
 
     /// The slip of a support, exactly zero where it rests.
     pub(super) fn slip_of(&self, support: usize) -> Vec3 {
-        let v = self.velocity_of(support);
-        let flat = Vec3::new(v.x, v.y, 0.0);
+        let flat = self.world.support(support).plane.along(self.velocity_of(support));
         if flat.norm() <= self.still() { Vec3::ZERO } else { flat }
     }
 
@@ -88,35 +80,36 @@ impl Walker<'_> {
         let Carries { sticking, slipping, leads } = carries;
         self.leads = leads;
         self.mode = if slipping.is_empty() {
-            BodyMode::holding(self.world.body(), sticking)
+            BodyMode::holding(self.world, sticking)
         } else {
             BodyMode::Slides { sticking, slipping }
         };
         if slipping.is_empty() {
-            self.state = crate::spatial::modes::settle::settled(self.world.body(), self.mode, &self.state);
+            self.state = settled(self.world, self.mode, &self.state);
         }
-        self.departing = touching.difference(self.mode.held(self.world.body()));
+        self.departing = touching.difference(self.mode.held(self.world));
         let rests = matches!(self.mode, BodyMode::Rest { .. });
-        Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), touching) }))
+        Ok(rests.then(|| End::AtRest { held: spanned(self.world, touching) }))
     }
 
     /// Takes back what rounding has left of heights and of velocities along the normal.
     fn settle_rough(&mut self, asked: Supports) -> Result<(), MotionError> {
         let (sticking, slipping): (Vec<usize>, Vec<usize>) =
             asked.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
-        let body = self.world.body();
-        if slipping.is_empty() {
-            self.state =
-                crate::spatial::modes::settle::settled(body, BodyMode::holding(body, asked), &self.state);
+        let apart = !self.world.is_of_one_plane(asked);
+        if slipping.is_empty() && !apart {
+            self.state = settled(self.world, BodyMode::holding(self.world, asked), &self.state);
             return Ok(());
         }
+        // On one plane one that sticks says of the others that they only turn about it.
+        let most = if apart { sticking.len() } else { 1 };
         let carried = Carried {
-            sticking: sticking.into_iter().take(1).collect(),
+            sticking: sticking.into_iter().take(most).collect(),
             slipping: slipping.into_iter().collect(),
             leads: &[],
         };
         let (sliding, first) = self.sliding_on(&carried)?;
-        self.state = super::motion::Motion::state(&sliding, &first, 0.0);
+        self.state = sliding.state(&first, 0.0);
         Ok(())
     }
 
@@ -129,13 +122,14 @@ impl Walker<'_> {
         if kept.len() > MOST_BEARING {
             return None;
         }
-        let rises = kept.iter().map(|i| self.velocity_of(i).z.abs()).fold(0.0, f64::max);
+        let rises = kept.iter().map(|i| self.rise_of(i).abs()).fold(0.0, f64::max);
         let bearing = |i: usize| {
             let (slip, velocity) = (self.slip_of(i), self.velocity_of(i));
             // A slip that is no faster than the bounces has been stopped by the impulses of the bounces still to come.
             let sticks = slip.norm() <= SWEPT * rises;
             Bearing {
-                arm: body.supports()[i],
+                arm: self.world.arm(i),
+                axes: self.world.support(i).plane.axes().map(|axis| state.attitude.undo(axis)),
                 friction: friction.coefficient(i),
                 sticks,
                 toward: if sticks {
@@ -147,8 +141,7 @@ impl Walker<'_> {
             }
         };
         let bearings: Vec<Bearing> = kept.iter().map(bearing).collect();
-        let axes = [state.attitude.undo(Vec3::X), state.attitude.undo(Vec3::Y)];
-        let reactions = Grip { body, up: state.up(), axes, bearings: &bearings }.reactions()?;
+        let reactions = Grip { body, bearings: &bearings }.reactions()?;
         Some(State {
             velocity: state.velocity + state.attitude.apply(reactions.force) / body.mass(),
             spin: state.spin + body.mobility() * reactions.moment,
@@ -156,113 +149,75 @@ impl Walker<'_> {
         })
     }
 
-    /// Accelerations of supports of the free body, body axes.
-    fn free_accelerations(&self, asked: Supports) -> Vec<Vec3> {
-        let (body, spin) = (self.world.body(), self.state.spin);
-        let turning = body.mobility() * -spin.cross(body.inertia() * spin);
-        let gravity = self.state.attitude.undo(self.world.gravity());
-        let of = |i: usize| {
-            let arm = body.supports()[i];
-            gravity + turning.cross(arm) + spin.cross(spin.cross(arm))
-        };
-        asked.iter().map(of).collect()
-    }
-
-    fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
-        let body = self.world.body();
-        let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
-        // What lies between the ends of an edge at rest adds nothing to what they can hold.
-        let asked = match BodyMode::holding(body, asked) {
-            BodyMode::Edge { ends, .. } if at_rest => ends.into_iter().collect(),
-            _ => asked,
-        };
-        match asked.len() {
-            0..=2 => self.ask_rough_sized::<2>(asked),
-            3..=4 => self.ask_rough_sized::<4>(asked),
-            5..=8 => self.ask_rough_sized::<8>(asked),
-            9..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked),
-            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
-        }
-    }
-
-    /// Accelerations along the plane this small, in units of gravity, are rounding.
-    fn stays_put(&self, acceleration: Vec3) -> bool {
-        let along = Vec3::new(acceleration.x, acceleration.y, 0.0);
-        along.norm() <= INSIDE_CONE * self.world.gravity().norm()
-    }
-
-    fn ask_rough_sized<const N: usize>(
-        &self,
-        asked: Supports,
-    ) -> Result<(Conclusion, Option<Carries>), MotionError> {
-        let refused = |error| MotionError::Impact { time: self.time, error };
-        let set = contacts_of::<N>(self.world, &self.state, asked).map_err(refused)?;
-        let (mut drive, mut load) = ([Vec3::ZERO; N], [Load::Absent; N]);
-        let (mut slip, mut present) = ([[0.0; 2]; N], [ContactMode::Open; N]);
-        for (k, (i, a)) in asked.iter().zip(self.free_accelerations(asked)).enumerate() {
-            drive[k] = set.frame[k] * self.state.attitude.apply(a);
-            load[k] = Load::Touching(0.0);
-            let own = set.frame[k] * self.slip_of(i);
-            slip[k] = [own.x, own.y];
-            present[k] = if slip[k] == [0.0; 2] { ContactMode::Sticks } else { ContactMode::Slips };
-        }
-        let problem = RateProblem {
-            count: set.count,
-            operator: &set.operator,
-            friction: &set.friction,
-            drive,
-            slip,
-            load,
-        };
-        let answer = problem.solve_first();
-        let conclusion = answer.count.conclusion();
-        let present = (self.options.choice != Choice::KeepFewest).then_some(&present);
-        let Some(chosen) = answer.preferred(present, self.options.choice.preference()) else {
-            return Ok((conclusion, None));
-        };
-        let weight = self.world.body().mass() * self.world.gravity().norm();
-        let mut carries = Carries::default();
-        for (k, i) in asked.iter().enumerate() {
-            if chosen.rates[k].z <= WEIGHTLESS * weight {
-                continue;
-            }
-            match chosen.guess[k].mode {
-                ContactMode::Open => {}
-                ContactMode::Sticks => carries.sticking = carries.sticking.with(i),
-                // Nothing draws it anywhere: without friction too it stays where it is.
-                ContactMode::Slips | ContactMode::Starts
-                    if slip[k] == [0.0; 2] && self.stays_put(chosen.response[k]) =>
-                {
-                    carries.sticking = carries.sticking.with(i);
-                }
-                ContactMode::Slips => carries.slipping = carries.slipping.with(i),
-                ContactMode::Starts => {
-                    let [x, y] = chosen.direction[k];
-                    carries.slipping = carries.slipping.with(i);
-                    carries.leads.push((i, set.frame[k].transposed() * Vec3::new(x, y, 0.0)));
-                }
-            }
-        }
-        Ok((conclusion, Some(carries)))
-    }
-
     /// A support that stuck has come to the edge of its cone: it slips on from rest, against the friction that it has taken.
     pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, MotionError> {
-        let held = self.mode.held(self.world.body());
-        let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
+        let held = self.mode.held(self.world);
+        if !self.world.is_of_one_plane(held) {
+            return self.slips_apart(which, held);
+        }
         let carries = match self.mode {
-            BodyMode::Slides { sticking, slipping } => {
-                let (sliding, first) = self.sliding()?;
-                let forces = sliding.forces(&first).unwrap_or_default();
-                let own = forces.iter().find(|(i, _)| *i == which).map_or(Vec3::ZERO, |(_, f)| *f);
-                let mut leads = self.leads.clone();
-                leads.push((which, against(Vec3::new(own.x, own.y, 0.0))));
-                let one = Supports::one(which);
-                Carries { sticking: sticking.difference(one), slipping: slipping.union(one), leads }
-            }
+            BodyMode::Slides { .. } => self.slips_against(Supports::one(which))?,
             _ => self.slips_from_rest(which)?,
         };
         self.enter(carries, held)
+    }
+
+    /// Of a body that slides some that stuck slip too, against their friction.
+    fn slips_against(&self, which: Supports) -> Result<Carries, MotionError> {
+        let BodyMode::Slides { sticking, slipping } = self.mode else { return Ok(Carries::default()) };
+        let (sliding, first) = self.sliding()?;
+        let forces = sliding.forces(&first).unwrap_or_default();
+        let mut leads = self.leads.clone();
+        for (i, force) in forces.into_iter().filter(|(i, _)| which.contains(*i)) {
+            let across = self.world.support(i).plane.along(force);
+            leads.push((i, -across.unit().unwrap_or(Vec3::ZERO)));
+        }
+        Ok(Carries { sticking: sticking.difference(which), slipping: slipping.union(which), leads })
+    }
+
+    /// Supports of several planes can no longer all do what they do: the rate problem says what follows, a moment later, when their cones are clearly left.
+    ///
+    /// Where it finds nothing, or that the one support could stick if others took more than equal springs do, that one slips against its friction.
+    fn slips_apart(&mut self, which: usize, held: Supports) -> Result<Option<End>, MotionError> {
+        let now = self.state;
+        self.state = self.ahead(SLIPS_AHEAD * self.scales.time)?;
+        self.effort.questions += 1;
+        let answer = self.ask_rough(held);
+        self.state = now;
+        let (conclusion, way) = answer?;
+        if conclusion == Conclusion::Several && self.options.choice == Choice::End {
+            return Ok(Some(End::Several(Clock::Motion)));
+        }
+        let slides = matches!(self.mode, BodyMode::Slides { .. });
+        let goes_on = |carries: &Carries| {
+            let still = carries.sticking;
+            if slides { still.contains(which) } else { held.difference(still).is_empty() }
+        };
+        match way.filter(|carries| !goes_on(carries)) {
+            Some(carries) => self.enter(carries, held),
+            None if slides => {
+                let world = self.world;
+                let alike =
+                    |i: &usize| world.arm(*i) == world.arm(which) && world.normal(*i) == world.normal(which);
+                let carries = self.slips_against(held.iter().filter(alike).collect())?;
+                self.enter(carries, held)
+            }
+            None => self.strike_unapproached(held),
+        }
+    }
+
+    /// The state a short time later, if the mode goes on.
+    fn ahead(&self, time: f64) -> Result<State, MotionError> {
+        if matches!(self.mode, BodyMode::Slides { .. }) {
+            let (sliding, first) = self.sliding()?;
+            let step = step_plain(first, sliding.rate(&first), time, |y| sliding.rate(y));
+            return Ok(sliding.state(&sliding.tidied(&step.end), time));
+        }
+        let not_finite = MotionError::NotFinite { time: self.time };
+        let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
+        let first: Standing = stretch.first();
+        let rate = |y: &Standing| stretch.equations.rate(y);
+        Ok(stretch.state(&step_plain(first, rate(&first), time, rate).end, time))
     }
 
     /// Which supports of a pivot or an edge slip, and where to.
@@ -274,7 +229,7 @@ impl Walker<'_> {
         let [along, across] = forces.axes.map(|axis| self.state.attitude.apply(axis));
         let against = |force: Vec3| -force.unit().unwrap_or(Vec3::ZERO);
         let BodyMode::Edge { ends, .. } = self.mode else {
-            let slipping = self.mode.held(self.world.body());
+            let slipping = self.mode.held(self.world);
             let leads = slipping.iter().map(|i| (i, against(along))).collect();
             return Ok(Carries { sticking: Supports::NONE, slipping, leads });
         };
@@ -298,7 +253,7 @@ impl Walker<'_> {
 
     /// A slip has come to zero.
     pub(super) fn slip_stops(&mut self) -> Result<Option<End>, MotionError> {
-        self.hold_rough(self.mode.held(self.world.body()), None)
+        self.hold_rough(self.mode.held(self.world), None)
     }
 }
 

@@ -1,22 +1,24 @@
 //! A body some of whose supports slide: its equations.
 //!
 //! The *foot* is the support that sticks or, where none does, the slowest. What is integrated is the turn since the stretch began, the spin (body axes), how far
-//! the foot has gone and its slip (world axes), the work of friction, and the spin about the plane's normal once more. The slip and that spin are what all slips
-//! are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
+//! the foot has gone and its slip (along the tangents of its plane), the work of friction, and the spin about that plane's normal once more. The slip and that
+//! spin are what all slips on that plane are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
 
-use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
+use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED, WEIGHTLESS};
+pub(in crate::spatial) mod carriers;
 mod moment;
+mod projection;
 
+use self::carriers::{Carried, Carrier, carriers_of};
 use super::motion::{Event, Motion};
 use crate::spatial::geometry::body::Body;
-use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::posture::{Height, Posture, Upright};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::geometry::world::Scales;
-use crate::spatial::geometry::world::World;
+use crate::spatial::geometry::world::{Scales, Support, World};
 use crate::spatial::modes::grip::MOST_BEARING;
 use crate::spatial::modes::mode::{Mode, normal_of};
-use crate::spatial::modes::stretch::Heights;
+use crate::spatial::modes::stretch::{Heights, uprights};
 use carom_num::ode8::Step;
 use carom_num::{Rotation, Vec3};
 
@@ -31,17 +33,6 @@ const BETWEEN: (f64, f64) = (1.5, 0.1);
 /// Places of a step at which angular accelerations are looked at.
 const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// A support that carries a sliding body.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Carrier {
-    pub(in crate::spatial) support: usize,
-    pub(in crate::spatial) arm: Vec3,
-    pub(in crate::spatial) friction: f64,
-    pub(in crate::spatial) sticks: bool,
-    /// Where it starts to slip from rest: the direction, world axes.
-    pub(super) lead: Vec3,
-}
-
 /// A slip, and what friction does to it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slowing {
@@ -52,7 +43,7 @@ pub(super) struct Slowing {
     pub(in crate::spatial) friction: f64,
     /// Normal force \[N\].
     pub(in crate::spatial) normal: f64,
-    /// The direction across it along the plane, and where its support is from the foot, world axes.
+    /// The direction across it along the plane, and where its support is from the foot, body axes.
     pub(super) aside: Vec3,
     pub(super) from_foot: Vec3,
 }
@@ -62,31 +53,32 @@ pub(super) struct Slowing {
 pub(in crate::spatial) struct Sliding {
     body: Body,
     scales: Scales,
+    /// Gravity along the tangents and the normal of the foot's plane.
     gravity: Vec3,
     pub(in crate::spatial) attitude: Rotation,
     heights: Heights,
+    planes: Vec<Upright>,
     pub(super) carriers: Vec<Carrier>,
     pub(in crate::spatial) foot: Vec3,
+    /// The foot's plane.
+    plane: usize,
     /// Where the foot starts, world axes.
     place: Vec3,
-    /// World axes x, y, z in body axes as they were at the start.
+    /// The tangents and the normal of the foot's plane: world axes, and in body axes as they were at the start.
+    pub(super) frame: [Vec3; 3],
     axes: [Vec3; 3],
-    /// What the body's normal must keep to, body axes: that of the plane through three supports, or none.
+    /// The carriers are on several planes.
+    pub(super) apart: bool,
+    /// What the normal of the one plane must keep to, body axes: that of the plane through three supports, or none.
     normal: Option<Vec3>,
     /// The other end of an edge from the foot, body axes.
     edge: Option<Vec3>,
+    /// A slip that starts is zero below this \[m/s\].
+    pub(super) speck: f64,
     /// Slips that have been fast enough to be told from those that start.
     grown: Supports,
-    /// The largest angular acceleration and spin at the nodes of the present step.
-    most: [f64; 2],
-}
-
-/// What carries a sliding body, and where slips that are zero start.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Carried<'a> {
-    pub(in crate::spatial) sticking: Supports,
-    pub(in crate::spatial) slipping: Supports,
-    pub(super) leads: &'a [(usize, Vec3)],
+    /// The largest angular acceleration, spin and acceleration of the foot at the nodes of the present step.
+    most: [f64; 3],
 }
 
 impl Sliding {
@@ -97,73 +89,85 @@ impl Sliding {
         state: &State,
         heights: &Heights,
     ) -> Option<(Self, Vector)> {
-        let (body, friction) = (world.body(), world.friction()?);
+        let body = world.body();
         let bearing = carried.sticking.union(carried.slipping);
         if bearing.is_empty() || bearing.len() > MOST_BEARING {
             return None;
         }
-        let lead = |i: usize| carried.leads.iter().find(|(k, _)| *k == i).map_or(Vec3::ZERO, |(_, e)| *e);
-        let carriers: Vec<Carrier> = bearing
-            .iter()
-            .map(|support| Carrier {
-                support,
-                arm: body.supports()[support],
-                friction: friction.coefficient(support),
-                sticks: carried.sticking.contains(support),
-                lead: lead(support),
-            })
-            .collect();
         let velocity = |arm: Vec3| state.velocity + state.attitude.apply(state.spin.cross(arm));
-        let speed = |i: &usize| velocity(body.supports()[*i]).norm();
-        let speck = SLIP_SPECK * world.scales().speed;
+        let speed = |i: &usize| velocity(world.arm(*i)).norm();
         let slowest = || carried.slipping.iter().min_by(|a, b| speed(a).total_cmp(&speed(b)));
-        let foot = body.supports()[carried.sticking.iter().next().or_else(slowest)?];
+        let support = carried.sticking.iter().next().or_else(slowest)?;
+        let (foot, plane) = (world.arm(support), world.plane_of(support));
+        let carriers = carriers_of(world, carried, state, plane)?;
+        let speck = SLIP_SPECK * world.scales().speed;
         let starts = |c: &Carrier| c.lead != Vec3::ZERO && velocity(c.arm).norm() <= speck;
         let grown = carriers.iter().filter(|c| !c.sticks && !starts(c)).map(|c| c.support).collect();
-        let rests = carriers.iter().filter(|c| c.sticks || starts(c));
-        let (rests, at_rest) = (rests.clone().count(), rests.clone().any(|c| c.arm == foot));
-        let slip = if at_rest { Vec3::ZERO } else { velocity(foot) };
-        let mode = Mode::holding(body, bearing);
+        let starting = carriers.iter().filter(|c| starts(c)).map(|c| c.support).collect();
+        let resting: Vec<Vec3> = carriers.iter().filter(|c| c.sticks || starts(c)).map(|c| c.arm).collect();
+        let apart = !world.is_of_one_plane(bearing);
+        let mode = Mode::holding(world, bearing);
         let edge = match mode {
-            Mode::Edge { ends, .. } => {
-                let from = |end: usize| body.supports()[end] - foot;
-                let [a, b] = ends.map(from);
+            Mode::Edge { ends, .. } if !apart => {
+                let [a, b] = ends.map(|end| world.arm(end) - foot);
                 Some(if a.norm() > b.norm() { a } else { b })
             }
             _ => None,
         };
-        let normal = matches!(mode, Mode::Rest { .. }).then(|| normal_of(body, bearing)).flatten();
-        let up = state.up();
-        let at = state.place(foot);
-        let motion = Self {
+        let flat = matches!(mode, Mode::Rest { .. }) && !apart;
+        let normal = flat.then(|| normal_of(world, bearing)).flatten();
+        let frame = world.planes()[plane].axes();
+        let axes = frame.map(|axis| state.attitude.undo(axis));
+        let [east, north, up] = frame.map(|axis| world.gravity().dot(axis));
+        let mut motion = Self {
             body: body.clone(),
             scales: world.scales(),
-            gravity: world.gravity(),
+            gravity: Vec3::new(east, north, up),
             attitude: state.attitude,
             heights: *heights,
+            planes: uprights(world, state.attitude),
             carriers,
             foot,
-            place: Vec3::new(at.x, at.y, 0.0),
-            axes: [state.attitude.undo(Vec3::X), state.attitude.undo(Vec3::Y), up],
-            normal: normal.map(|n| if n.dot(up) < 0.0 { -n } else { n }),
+            plane,
+            place: world.planes()[plane].onto(state.place(foot)),
+            frame,
+            axes,
+            apart,
+            normal: normal.map(|n| if n.dot(axes[2]) < 0.0 { -n } else { n }),
             edge,
+            speck,
             grown,
-            most: [0.0; 2],
+            most: [0.0; 3],
         };
         let spin = state.spin;
-        // Two points at rest: nothing turns about the normal.
-        let yaw = if rests > 1 { 0.0 } else { spin.dot(up) };
-        let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, slip.x, slip.y, 0.0, yaw];
-        let first = motion.tidied(&first);
+        let slip = if resting.contains(&foot) { Vec3::ZERO } else { velocity(foot) };
+        // Two points of a plane at rest: nothing turns about its normal.
+        let yaw = if resting.len() > 1 && !apart { 0.0 } else { spin.dot(axes[2]) };
+        let [x, y] = [0, 1].map(|k| slip.dot(frame[k]));
+        let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, x, y, 0.0, yaw];
+        let first = if apart { motion.projected(&first, starting) } else { motion.tidied(&first) };
+        motion.note_idle(&first);
         Some((motion, first))
+    }
+
+    /// Marks the carriers that carry nothing where the stretch starts.
+    fn note_idle(&mut self, first: &Vector) {
+        let Some(reactions) = self.reactions(&self.moment(first)).filter(|_| self.apart) else { return };
+        let nothing = WEIGHTLESS * self.body.mass() * self.gravity.norm();
+        for (c, normal) in self.carriers.iter_mut().zip(reactions.normals) {
+            c.spare = if normal.abs() <= nothing { nothing } else { 0.0 };
+        }
     }
 
     /// The same, where the slip of a support has come to its end: it is zero. The slower a slip is, the faster friction turns it, so that on its last
     /// way no straight step knows its direction. What such a step leaves across the slip is the error of the integration, however large it is beside
     /// the slip.
     fn stopped(&self, y: &Vector, support: usize) -> Vector {
+        if self.apart {
+            return self.projected(y, Supports::one(support));
+        }
         let mut out = *y;
-        let arm = self.body.supports()[support];
+        let arm = self.carriers.iter().find(|c| c.support == support).map_or(self.foot, |c| c.arm);
         if self.carriers.iter().any(|c| c.sticks) {
             out[12] = 0.0;
         } else {
@@ -195,11 +199,7 @@ impl Motion for Sliding {
         let Some(reactions) = self.reactions(&now) else { return [f64::NAN; DIMENSIONS] };
         let turning = self.turning(&now, Some(&reactions));
         let [east, north, up] = now.axes;
-        let foot = if self.carriers.iter().any(|c| c.sticks) {
-            Vec3::ZERO
-        } else {
-            self.acceleration(&now, &reactions, self.foot)
-        };
+        let foot = self.foot_acceleration(&now, &reactions);
         let power: f64 = self.carriers.iter().enumerate().fold(0.0, |sum, (k, c)| {
             sum - if c.sticks { 0.0 } else { c.friction * reactions.normals[k] * now.speeds[k] }
         });
@@ -210,6 +210,9 @@ impl Motion for Sliding {
     }
 
     fn tidied(&self, y: &Vector) -> Vector {
+        if self.apart {
+            return self.projected(y, Supports::NONE);
+        }
         let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
         let mut turned = Rotation::of(turned.to_array()).unwrap_or(turned);
         let mut spin = Vec3::new(y[4], y[5], y[6]);
@@ -285,10 +288,12 @@ impl Motion for Sliding {
             self.slowing(y, &step.end_rate).filter(fast).map(|s| s.support).collect::<Supports>()
         };
         self.grown = self.grown.union(grown(&step.start)).union(grown(&step.end));
-        self.most = [0.0; 2];
+        self.most = [0.0; 3];
         for x in LOOKED_AT {
             let at = self.posture(&step.at(x), 0.0);
-            self.most = [self.most[0].max(at.turning.norm()), self.most[1].max(at.spin.norm())];
+            for (most, v) in self.most.iter_mut().zip([at.turning, at.spin, at.base[2]]) {
+                *most = most.max(v.norm());
+            }
         }
     }
 
@@ -296,17 +301,25 @@ impl Motion for Sliding {
         let now = self.moment(y);
         let reactions = self.reactions(&now);
         let turning = self.turning(&now, reactions.as_ref());
-        let (up_then, up, base) = (self.axes[2], now.axes[2], Height::default());
-        Posture { turned: now.turned, up_then, up, spin: now.spin, turning, from: self.foot, base }
+        let along = |a: f64, b: f64| self.frame[0] * a + self.frame[1] * b;
+        let bent = match &reactions {
+            Some(reactions) if self.apart || self.planes.len() > 1 => {
+                let own = self.foot_acceleration(&now, reactions);
+                along(own.dot(now.axes[0]), own.dot(now.axes[1]))
+            }
+            _ => Vec3::ZERO,
+        };
+        let base = [along(y[7], y[8]), along(y[9], y[10]), bent];
+        Posture { turned: now.turned, up: now.axes[2], spin: now.spin, turning, from: self.foot, base }
     }
 
     fn state(&self, y: &Vector, _: f64) -> State {
         let now = self.moment(y);
         let whole = self.attitude.after(now.turned);
         let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
-        let slip = Vec3::new(y[9], y[10], 0.0);
+        let [gone, slip] = [7, 9].map(|k| self.frame[0] * y[k] + self.frame[1] * y[k + 1]);
         State {
-            centre: self.place + Vec3::new(y[7], y[8], 0.0) - attitude.apply(self.foot),
+            centre: self.place + gone - attitude.apply(self.foot),
             attitude,
             velocity: slip + attitude.apply(self.foot.cross(now.spin)),
             spin: now.spin,
@@ -314,15 +327,25 @@ impl Motion for Sliding {
     }
 
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
-        at.height(world.body().supports()[support], self.heights[support])
+        let (plane, arm, start) = (world.plane_of(support), world.arm(support), self.heights[support]);
+        if plane == self.plane {
+            // The foot goes along it.
+            return Posture { base: [Vec3::ZERO; 3], ..*at }.height(&self.planes[plane], arm, start);
+        }
+        at.height(&self.planes[plane], arm, start)
     }
 
-    fn bend(&self, _: &Posture, arm: Vec3, _: f64) -> f64 {
+    fn bend(&self, _: &Posture, Support { arm, plane }: &Support<'_>, _: f64) -> f64 {
         let (times, more) = BETWEEN;
         let unit = self.scales.time;
         let turning = times * self.most[0] + more / (unit * unit);
         let spin = times * self.most[1] + more / unit;
-        (arm - self.foot).norm() * (turning + spin * spin)
+        let own = if plane.normal() == self.frame[2] {
+            0.0
+        } else {
+            times * self.most[2] + more * self.scales.length / (unit * unit)
+        };
+        own + (*arm - self.foot).norm() * (turning + spin * spin)
     }
 
     fn smooth_events(&self) -> Vec<Event> {
@@ -345,13 +368,13 @@ impl Motion for Sliding {
             Event::Lets { place, .. } if self.carriers.len() == 1 => {
                 reactions.normals[place] * reactions.regularity
             }
-            Event::Lets { place, .. } => reactions.normals[place],
+            Event::Lets { place, .. } => reactions.normals[place] + self.carriers[place].spare,
             Event::Slips(support) => {
                 let Some(k) = self.carriers.iter().position(|c| c.support == support) else {
                     return f64::INFINITY;
                 };
                 let normal = reactions.normals[k];
-                let across = reactions.forces[k] - now.axes[2] * normal;
+                let across = now.bearings[k].along(reactions.forces[k]);
                 let most = self.carriers[k].friction * normal;
                 most * most - across.dot(across)
             }
@@ -362,6 +385,7 @@ impl Motion for Sliding {
 
     fn leans_over(&self) -> Option<Vec3> {
         match (self.normal, self.edge) {
+            _ if self.apart => None,
             (Some(_), _) => None,
             (None, edge) => Some(edge.and_then(Vec3::unit).unwrap_or(Vec3::ZERO)),
         }

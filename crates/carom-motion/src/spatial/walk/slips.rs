@@ -1,7 +1,9 @@
 //! The slips of a sliding body: how friction changes them, which is the slowest, how those that are zero start; and the forces.
 
-use super::sliding::{Carrier, Sliding, Slowing, Vector};
-use crate::spatial::modes::grip::MOST_BEARING;
+use super::sliding::carriers::Carrier;
+use super::sliding::{DIMENSIONS, Sliding, Slowing, Vector};
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::modes::grip::{Bearing, MOST_BEARING};
 use crate::tolerance::SLIPS_ACROSS;
 use carom_num::Vec3;
 
@@ -12,21 +14,26 @@ impl Sliding {
         let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
         let [east, north, up] = now.axes;
         let (yaw, yaw_rate) = (y[12], rate[12]);
+        let turning = Vec3::new(rate[4], rate[5], rate[6]);
         let own = east * rate[9] + north * rate[10];
         let foot = self.foot;
         let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
         self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
             let d = c.arm - foot;
-            let change = own + up.cross(d) * yaw_rate - d * (yaw * yaw);
-            let into_world = |v: Vec3| Vec3::new(v.dot(east), v.dot(north), 0.0);
+            let change = if c.level {
+                own + up.cross(d) * yaw_rate - d * (yaw * yaw)
+            } else {
+                own + turning.cross(d) + now.spin.cross(now.spin.cross(d))
+            };
+            let bearing = &now.bearings[k];
             Slowing {
                 support: c.support,
                 speed: now.speeds[k],
-                change: now.bearings[k].toward.dot(change),
+                change: bearing.toward.dot(change),
                 friction: c.friction,
                 normal: normals[k],
-                aside: into_world(up.cross(now.bearings[k].toward)),
-                from_foot: into_world(d),
+                aside: bearing.up().cross(bearing.toward),
+                from_foot: d,
             }
         })
     }
@@ -40,8 +47,38 @@ impl Sliding {
         })
     }
 
-    /// How slips that are zero start, together: the foot's, world axes, and the turn about the normal that goes with it; in units of no meaning.
-    pub(super) fn starting(&self, y: &Vector) -> Option<(Vec3, f64)> {
+    /// How slips that are zero start, together, in units of no meaning: what is added to the motion.
+    pub(super) fn starting(&self, y: &Vector) -> Option<Vector> {
+        if self.apart {
+            return self.starting_apart(y);
+        }
+        let (slip, yaw) = self.starting_on_one(y)?;
+        let mut out = [0.0; DIMENSIONS];
+        (out[9], out[10], out[12]) = (slip.dot(self.frame[0]), slip.dot(self.frame[1]), yaw);
+        Some(out)
+    }
+
+    /// The supports whose slips are zero and start.
+    pub(super) fn resting(&self, y: &Vector) -> Supports {
+        let speeds = self.moment(y).speeds;
+        let starts = |(k, c): &(usize, &Carrier)| !c.sticks && speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
+        self.carriers.iter().enumerate().filter(starts).map(|(_, c)| c.support).collect()
+    }
+
+    /// On several planes: the least motion in which the slips have their directions.
+    fn starting_apart(&self, y: &Vector) -> Option<Vector> {
+        let resting = self.resting(y);
+        if resting.is_empty() {
+            return None;
+        }
+        let starts = |c: &Carrier| resting.contains(c.support);
+        let drive = |b: &Bearing, k: usize| if starts(&self.carriers[k]) { -b.toward } else { Vec3::ZERO };
+        let bearings = self.bearings(y, resting, drive);
+        Some(self.moved(&[0.0; DIMENSIONS], &bearings, self.moment(y).axes))
+    }
+
+    /// On one plane: the foot's slip, world axes, and the turn about the normal that goes with it.
+    fn starting_on_one(&self, y: &Vector) -> Option<(Vec3, f64)> {
         let now = self.moment(y);
         let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
         let (mut own, mut other) = (None, None);
@@ -49,7 +86,7 @@ impl Sliding {
             if c.arm == self.foot { own = Some(*c) } else { other = Some(*c) }
         }
         let up = now.axes[2];
-        let into = |v: Vec3| now.axes[0] * v.x + now.axes[1] * v.y;
+        let into = |v: Vec3| now.axes[0] * v.dot(self.frame[0]) + now.axes[1] * v.dot(self.frame[1]);
         match (own, other) {
             (None, None) => None,
             (Some(foot), None) => Some((foot.lead, 0.0)),

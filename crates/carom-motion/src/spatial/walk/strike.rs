@@ -8,7 +8,10 @@ use crate::spatial::geometry::posture::Height;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::state::measured;
 use crate::spatial::geometry::supports::Supports;
+use crate::spatial::geometry::world::World;
 use crate::spatial::modes::contacts::{Answer, Way};
+use crate::spatial::modes::mode::Mode;
+use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End, Impact};
 use crate::tolerance::{
@@ -21,30 +24,38 @@ use std::ops::ControlFlow;
 impl Walker<'_> {
     /// Velocity of a support, world axes.
     pub(in crate::spatial) fn velocity_of(&self, support: usize) -> Vec3 {
-        self.state.velocity_of(self.world.body().supports()[support])
+        self.state.velocity_of(self.world.arm(support))
     }
 
-    /// Measures all heights, from the lowest support.
+    /// How fast a support rises over its plane [m/s].
+    pub(in crate::spatial) fn rise_of(&self, support: usize) -> f64 {
+        self.world.normal(support).dot(self.velocity_of(support))
+    }
+
+    /// Measures all heights, over each plane from the lowest support.
     fn measure_heights(&mut self) {
-        let (body, state) = (self.world.body(), &self.state);
-        let count = body.supports().len();
-        let placed = |i: usize| measured(body, state, None, i);
-        let lowest = (0..count).min_by(|a, b| placed(*a).total_cmp(&placed(*b))).unwrap_or_default();
-        let ground = placed(lowest);
-        for support in 0..count {
-            self.heights[support] = ground + measured(body, &self.state, Some(lowest), support);
+        let (world, state) = (self.world, self.state);
+        let placed = |i: &usize| measured(world, &state, None, *i);
+        for plane in 0..world.planes().len() {
+            let own = world.of_plane(plane);
+            let lowest = own.iter().min_by(|a, b| placed(a).total_cmp(&placed(b))).unwrap_or_default();
+            let ground = placed(&lowest);
+            for support in own.iter() {
+                self.heights[support] = ground + measured(world, &state, Some(lowest), support);
+            }
         }
     }
 
     /// Looks at what touches at the start.
     pub(super) fn begin(&mut self) -> Result<Option<End>, MotionError> {
-        let (length, count) = (self.scales.length, self.world.body().supports().len());
+        let (length, count) = (self.scales.length, self.world.count());
         let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
         let mut resting = Supports::NONE;
         let (mut strikes, mut slides) = (false, None);
         self.measure_heights();
         for support in 0..count {
             let (height, velocity) = (self.heights[support], self.velocity_of(support));
+            let rise = self.rise_of(support);
             if height < -TOUCHES_AT_START * length {
                 return Err(MotionError::Below { support, depth: -height });
             }
@@ -54,9 +65,9 @@ impl Walker<'_> {
             self.heights[support] = 0.0;
             if velocity.norm() <= AT_REST_AT_START * speed {
                 resting = resting.with(support);
-            } else if velocity.z < -AT_REST_AT_START * speed {
+            } else if rise < -AT_REST_AT_START * speed {
                 strikes = true;
-            } else if velocity.z <= AT_REST_AT_START * speed {
+            } else if rise <= AT_REST_AT_START * speed {
                 resting = if self.world.friction().is_some() { resting.with(support) } else { resting };
                 slides = Some((support, velocity.norm()));
             }
@@ -73,17 +84,17 @@ impl Walker<'_> {
     /// The supports that touch now: those that are held, and those that come down at once.
     pub(in crate::spatial) fn touching(&self) -> Supports {
         let (low, at_once) = (SUPPORT_TOUCHES * self.scales.length, COMES_DOWN_AT_ONCE * self.lasted);
-        let touches = |i: &usize| self.heights[*i] <= (-self.velocity_of(*i).z * at_once).max(low);
-        let held = self.mode.held(self.world.body());
-        held.union((0..self.world.body().supports().len()).filter(touches).collect())
+        let touches = |i: &usize| self.heights[*i] <= (-self.rise_of(*i) * at_once).max(low);
+        let held = self.mode.held(self.world);
+        held.union((0..self.world.count()).filter(touches).collect())
     }
 
     /// What comes of supports that touch: an impact, if one of them comes down.
     pub(in crate::spatial) fn meet(&mut self) -> Result<Option<End>, MotionError> {
         let touching = self.touching();
-        let free = touching.difference(self.mode.held(self.world.body()));
+        let free = touching.difference(self.mode.held(self.world));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        let comes_down = |i: &usize| self.velocity_of(*i).z < -GRAZING_SPEED * size;
+        let comes_down = |i: &usize| self.rise_of(*i) < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
         if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
     }
@@ -92,7 +103,7 @@ impl Walker<'_> {
     /// held; if one moves along the plane it comes down the next instant, which is an impact.
     fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, MotionError> {
         let sinking = self.sinking(grazing)?;
-        let held = self.mode.held(self.world.body());
+        let held = self.mode.held(self.world);
         if sinking.is_empty() {
             self.departing = grazing;
             Ok(None)
@@ -108,7 +119,7 @@ impl Walker<'_> {
     /// Those that the motion draws down.
     fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
         let sinks = |height: Height| height.second <= 0.0;
-        if matches!(self.mode, crate::spatial::modes::mode::Mode::Slides { .. }) {
+        if matches!(self.mode, Mode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
             let now = sliding.posture(&first, 0.0);
             return Ok(grazing.iter().filter(|i| sinks(sliding.height(self.world, *i, &now))).collect());
@@ -124,7 +135,7 @@ impl Walker<'_> {
         if self.world.friction().is_some() {
             return self.strike_rough(touching, striking);
         }
-        let (before, body) = (self.state, self.world.body());
+        let before = self.state;
         touching.iter().for_each(|i| self.heights[i] = 0.0);
         self.effort.impacts += 1;
         let Answer { conclusion, way } = self.question(touching).of_impact()?;
@@ -132,8 +143,8 @@ impl Walker<'_> {
         let kept = way.kept;
         self.state = pushed(&before, self.world, &way.pushes);
         // What is kept rests: that is known better than the impulses say it.
-        let mode = crate::spatial::modes::mode::Mode::holding(body, kept);
-        self.state = crate::spatial::modes::settle::settled(body, mode, &self.state);
+        let mode = Mode::holding(self.world, kept);
+        self.state = settled(self.world, mode, &self.state);
         let seen = self.tell(&before, [touching, striking], way, conclusion);
         self.mode = mode;
         if seen.is_break() {
@@ -158,7 +169,7 @@ impl Walker<'_> {
             time: self.time,
             touching,
             striking,
-            held: self.mode.held(body),
+            held: self.mode.held(self.world),
             kept: way.kept,
             sliding: way.sliding,
             attitude: before.attitude,
@@ -179,17 +190,13 @@ impl Walker<'_> {
 }
 
 /// The state after impulses on supports, world axes.
-pub(in crate::spatial) fn pushed(
-    state: &State,
-    world: &crate::spatial::geometry::world::World,
-    pushes: &[(usize, Vec3)],
-) -> State {
+pub(in crate::spatial) fn pushed(state: &State, world: &World, pushes: &[(usize, Vec3)]) -> State {
     let body = world.body();
     let (mut push, mut moment) = (Vec3::ZERO, Vec3::ZERO);
     for (support, impulse) in pushes {
         let own = state.attitude.undo(*impulse);
         push += *impulse;
-        moment += body.supports()[*support].cross(own);
+        moment += world.arm(*support).cross(own);
     }
     State {
         velocity: state.velocity + push / body.mass(),

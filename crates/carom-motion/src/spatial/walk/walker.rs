@@ -172,7 +172,7 @@ impl<'w> Walker<'w> {
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
             Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
             Stop::Event(Event::Stops) => self.slip_stops()?,
-            Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world.body()))?,
+            Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world))?,
             Stop::Event(Event::Overturns) => Some(End::Overturned),
             Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
             Stop::Still => Some(self.at_rest()),
@@ -181,11 +181,10 @@ impl<'w> Walker<'w> {
 
     /// Nothing moves, and what touches without being pressed stays on the plane too: with it the body may be more than balanced.
     fn at_rest(&self) -> End {
-        let body = self.world.body();
-        let held = self.mode.held(body);
+        let held = self.mode.held(self.world);
         let touching = held.union(self.departing);
-        match Mode::holding(body, touching) {
-            Mode::Rest { .. } => End::AtRest { held: spanned(body, touching) },
+        match Mode::holding(self.world, touching) {
+            Mode::Rest { .. } => End::AtRest { held: spanned(self.world, touching) },
             _ => End::Balanced { held },
         }
     }
@@ -204,10 +203,10 @@ impl<'w> Walker<'w> {
         if self.world.friction().is_some() {
             return self.hold_rough(resting, without);
         }
-        let body = self.world.body();
+        let world = self.world;
         let mut held = resting;
         if !resting.is_empty() {
-            self.state = settled(body, Mode::holding(body, resting), &self.state);
+            self.state = settled(world, Mode::holding(world, resting), &self.state);
             self.effort.questions += 1;
             match (Question { without, ..self.question(resting) }).of_motion()? {
                 Answer { way: Some(way), .. } => held = way.kept,
@@ -215,16 +214,16 @@ impl<'w> Walker<'w> {
             }
         }
         self.departing = resting.difference(held);
-        self.mode = Mode::holding(body, held);
-        self.state = settled(body, self.mode, &self.state);
+        self.mode = Mode::holding(world, held);
+        self.state = settled(world, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
-        Ok(rests.then(|| End::AtRest { held: spanned(self.world.body(), held) }))
+        Ok(rests.then(|| End::AtRest { held: spanned(world, held) }))
     }
 
     /// The normal force of a held support has fallen to zero: the support is let go if there is a way on without it. There is none where the other
     /// supports, or nothing, would let it sink: a force along the plane has kept it up, and only sliding could end that.
     fn let_go(&mut self, support: usize) -> Result<Option<End>, MotionError> {
-        self.hold(self.mode.held(self.world.body()), Some(support))
+        self.hold(self.mode.held(self.world), Some(support))
     }
 }
 

@@ -210,7 +210,7 @@ fn series(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SpatialSeri
 fn stages(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SpatialStageReport> {
     let of = |piece: &Piece| SpatialStageReport {
         name: Word(roll_space::mode(&piece.mode)),
-        held: problem.names_of(piece.mode.held(problem.world.body())),
+        held: problem.names_of(piece.mode.held(&problem.world)),
         start_s: piece.start_time,
         end_s: piece.end_time,
     };

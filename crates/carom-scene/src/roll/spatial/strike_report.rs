@@ -211,7 +211,7 @@ pub(super) fn last_strike(problem: &SpatialRollProblem, run: &SpatialRollRun) ->
         return None;
     };
     let touching = touching_at(problem, &run.last);
-    let held = run.pieces.last().map_or(Supports::NONE, |piece| piece.mode.held(problem.world.body()));
+    let held = run.pieces.last().map_or(Supports::NONE, |piece| piece.mode.held(&problem.world));
     let states = if problem.world.friction().is_some() {
         let several = matches!(run.end, Some(End::Several(_)));
         let conclusion = if several { Conclusion::Several } else { Conclusion::None };

@@ -74,7 +74,6 @@ pub fn notes(problem: &SpatialRollProblem, about: &[String]) -> Vec<String> {
 }
 
 fn instants(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SolidInstant> {
-    let body = problem.world.body();
     let of = |time: f64, held: Vec<usize>, state: &State| SolidInstant {
         time,
         centre: state.centre,
@@ -82,7 +81,7 @@ fn instants(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SolidInst
         tilt: problem.tilt(state),
         held,
     };
-    let held = |mode: &Mode| mode.held(body).iter().collect();
+    let held = |mode: &Mode| mode.held(&problem.world).iter().collect();
     if run.instants.is_empty() {
         return vec![of(0.0, vec![], &run.last)];
     }

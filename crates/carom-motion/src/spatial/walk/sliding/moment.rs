@@ -8,7 +8,7 @@ use carom_num::{Rotation, Vec3};
 pub(in crate::spatial) struct Moment {
     pub(in crate::spatial) turned: Rotation,
     pub(in crate::spatial) spin: Vec3,
-    /// World axes x, y, z in body axes.
+    /// The tangents and the normal of the foot's plane, body axes.
     pub(in crate::spatial) axes: [Vec3; 3],
     pub(in crate::spatial) bearings: [Bearing; MOST_BEARING],
     /// Slip speeds \[m/s\].
@@ -25,18 +25,24 @@ impl Sliding {
         let axes = self.axes.map(|axis| turned.undo(axis));
         let [east, north, up] = axes;
         let spin = spin + up * (yaw - up.dot(spin));
-        let flat = |r: Vec3| r - up * r.dot(up);
         let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
         let slip = east * y[9] + north * y[10];
         let (mut bearings, mut speeds) = ([Bearing::default(); MOST_BEARING], [0.0; MOST_BEARING]);
         for (k, c) in self.carriers.iter().enumerate() {
-            // What they touch the plane with lies in the plane: no other part of the spin moves it along.
-            let own = flat(slip + up.cross(c.arm - self.foot) * yaw);
-            let lead = east * c.lead.x + north * c.lead.y;
+            let axes = if c.level { axes } else { c.then.map(|axis| turned.undo(axis)) };
+            let bearing = Bearing { axes, ..Bearing::default() };
+            // What touches the foot's plane lies in it: no other part of the spin moves it along.
+            let turn = if c.level { up * yaw } else { spin };
+            let own = bearing.along(slip + turn.cross(c.arm - self.foot));
+            let lead = axes[0] * c.frame[0].dot(c.lead) + axes[1] * c.frame[1].dot(c.lead);
+            // On several planes a slip that is to start is never zero to the last digit.
+            let own =
+                if self.apart && lead != Vec3::ZERO && own.norm() <= self.speck { Vec3::ZERO } else { own };
             speeds[k] = own.norm();
             bearings[k] = Bearing {
                 arm: c.arm,
+                axes,
                 friction: c.friction,
                 sticks: c.sticks,
                 toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
@@ -47,13 +53,18 @@ impl Sliding {
     }
 
     pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
-        let [east, north, up] = now.axes;
         let bearings = &now.bearings[..self.carriers.len()];
-        Grip { body: &self.body, up, axes: [east, north], bearings }.reactions()
+        Grip { body: &self.body, bearings }.reactions()
     }
 
     pub(super) fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {
         now.free + reactions.map_or(Vec3::ZERO, |r| self.body.mobility() * r.moment)
+    }
+
+    /// Acceleration of the foot, body axes: none where it sticks.
+    pub(super) fn foot_acceleration(&self, now: &Moment, reactions: &Reactions) -> Vec3 {
+        let sticks = self.carriers.iter().any(|c| c.sticks);
+        if sticks { Vec3::ZERO } else { self.acceleration(now, reactions, self.foot) }
     }
 
     /// Acceleration of a point of the body, body axes.

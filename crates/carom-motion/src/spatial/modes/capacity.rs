@@ -1,0 +1,101 @@
+//! How much friction the supports of several planes need that hold a body.
+
+use super::grip::{Bearing, Grip, MOST_BEARING};
+use crate::spatial::geometry::posture::Posture;
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::geometry::world::World;
+use crate::tolerance::{LEAST_GRIP, MODE_RANK};
+use carom_num::cones::narrowest;
+use carom_num::{Basis, Rotation, Vec3};
+
+/// Unknown forces, at most.
+const MOST: usize = 3 * MOST_BEARING;
+
+/// Supports that hold a body, where a stretch of motion starts: body axes as they were then.
+#[derive(Clone, Debug)]
+pub(in crate::spatial) struct Capacity {
+    world: World,
+    supports: Vec<usize>,
+    /// The tangents and the normal of each plane.
+    then: Vec<[Vec3; 3]>,
+    gravity: Vec3,
+}
+
+impl Capacity {
+    /// `None` in a world without friction, where nothing slides whatever that takes.
+    pub(in crate::spatial) fn of(world: &World, held: Supports, attitude: Rotation) -> Option<Self> {
+        world.friction()?;
+        let axes = |i: usize| world.support(i).plane.axes().map(|axis| attitude.undo(axis));
+        Some(Self {
+            world: world.clone(),
+            supports: held.iter().take(MOST_BEARING).collect(),
+            then: held.iter().take(MOST_BEARING).map(axes).collect(),
+            gravity: attitude.undo(world.gravity()),
+        })
+    }
+
+    /// What is left of the cones: 1 where no friction is needed, 0 where of all forces that hold the supports the best just lie within their cones, and
+    /// negative where none do.
+    pub(in crate::spatial) fn left(&self, at: &Posture) -> f64 {
+        let bearings: Vec<Bearing> = (0..self.supports.len()).map(|k| self.bearing(k, at)).collect();
+        let Some(reactions) = (Grip { body: self.world.body(), bearings: &bearings }).corrections() else {
+            return f64::NAN;
+        };
+        let scaled = |k: usize, v: Vec3| {
+            let friction = bearings[k].friction.max(LEAST_GRIP);
+            Vec3::new(v.x / friction, v.y / friction, v.z)
+        };
+        let of_one = |(k, b): (usize, &Bearing)| {
+            let [x, y, z] = b.axes.map(|axis| axis.dot(reactions.forces[k]));
+            scaled(k, Vec3::new(x, y, z))
+        };
+        let forces: Vec<Vec3> = bearings.iter().enumerate().map(of_one).collect();
+        let all = |free: &[f64; MOST]| {
+            let part = |k: usize| scaled(k, Vec3::new(free[3 * k], free[3 * k + 1], free[3 * k + 2]));
+            (0..bearings.len()).map(part).collect::<Vec<_>>()
+        };
+        let open: Vec<Vec<Vec3>> = balanced(&bearings).iter().map(all).collect();
+        let needed = narrowest(&forces, &open);
+        // In [-1, 1], also where no friction is enough.
+        if needed.is_finite() { (1.0 - needed) / (1.0 + needed) } else { -1.0 }
+    }
+
+    fn bearing(&self, k: usize, at: &Posture) -> Bearing {
+        let (world, support) = (&self.world, self.supports[k]);
+        let (body, arm) = (world.body(), world.arm(support));
+        let free = body.mobility() * -at.spin.cross(body.inertia() * at.spin);
+        Bearing {
+            arm,
+            axes: self.then[k].map(|axis| at.turned.undo(axis)),
+            friction: world.friction().map_or(0.0, |friction| friction.coefficient(support)),
+            sticks: true,
+            toward: Vec3::ZERO,
+            drive: at.turned.undo(self.gravity) + free.cross(arm) + at.spin.cross(at.spin.cross(arm)),
+        }
+    }
+}
+
+/// Forces on the supports that balance each other: along the axes of each in turn.
+fn balanced(bearings: &[Bearing]) -> Vec<[f64; MOST]> {
+    let mut basis = Basis::<MOST>::NONE;
+    let reach = bearings.iter().map(|b| b.arm.norm()).fold(0.0, f64::max);
+    let rows: [fn(Vec3) -> f64; 3] = [|v| v.x, |v| v.y, |v| v.z];
+    for of in rows {
+        let row = |moment: bool| {
+            let mut out = [0.0; MOST];
+            for (k, b) in bearings.iter().enumerate() {
+                for (a, axis) in b.axes.iter().enumerate() {
+                    out[3 * k + a] = of(if moment { b.arm.cross(*axis) / reach } else { *axis });
+                }
+            }
+            out
+        };
+        basis.take(row(false), MODE_RANK);
+        basis.take(row(true), MODE_RANK);
+    }
+    let holding = basis.axes().len();
+    for one in 0..3 * bearings.len() {
+        basis.take(std::array::from_fn(|k| if k == one { 1.0 } else { 0.0 }), MODE_RANK);
+    }
+    basis.axes()[holding..].to_vec()
+}

@@ -1,0 +1,142 @@
+//! What the rate problem says of supports that touch and do not approach.
+
+use super::walker::Walker;
+use crate::MotionError;
+use crate::spatial::geometry::supports::Supports;
+use crate::spatial::modes::contacts::Conclusive;
+use crate::spatial::modes::frictional::contacts_of;
+use crate::spatial::modes::grip::MOST_BEARING;
+use crate::spatial::modes::mode::Mode as BodyMode;
+use crate::spatial::terms::Choice;
+use crate::tolerance::{INSIDE_CONE, WEIGHTLESS};
+use carom_impact::Load;
+use carom_impact::spatial::{Conclusion, Mode as ContactMode, RateProblem, Solution};
+use carom_num::Vec3;
+
+/// What becomes of supports that touch.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Carries {
+    pub(super) sticking: Supports,
+    pub(super) slipping: Supports,
+    /// Where slips that are zero start, world axes.
+    pub(super) leads: Vec<(usize, Vec3)>,
+}
+
+impl Walker<'_> {
+    /// Accelerations of supports of the free body, body axes.
+    fn free_accelerations(&self, asked: Supports) -> Vec<Vec3> {
+        let (body, spin) = (self.world.body(), self.state.spin);
+        let turning = body.mobility() * -spin.cross(body.inertia() * spin);
+        let gravity = self.state.attitude.undo(self.world.gravity());
+        let of = |i: usize| {
+            let arm = self.world.arm(i);
+            gravity + turning.cross(arm) + spin.cross(spin.cross(arm))
+        };
+        asked.iter().map(of).collect()
+    }
+
+    pub(super) fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
+        let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
+        // What lies between the ends of an edge at rest adds nothing to what they can hold.
+        let asked = match BodyMode::holding(self.world, asked) {
+            BodyMode::Edge { ends, .. } if at_rest && self.world.is_of_one_plane(asked) => {
+                ends.into_iter().collect()
+            }
+            _ => asked,
+        };
+        match asked.len() {
+            0..=2 => self.ask_rough_sized::<2>(asked),
+            3..=4 => self.ask_rough_sized::<4>(asked),
+            5..=8 => self.ask_rough_sized::<8>(asked),
+            9..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked),
+            count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
+        }
+    }
+
+    /// Accelerations along a plane this small, in units of gravity, are rounding; in the frame of a support.
+    fn stays_put(&self, acceleration: Vec3) -> bool {
+        self.stays(Vec3::new(acceleration.x, acceleration.y, 0.0).norm())
+    }
+
+    fn stays(&self, acceleration: f64) -> bool {
+        acceleration.abs() <= INSIDE_CONE * self.world.gravity().norm()
+    }
+
+    fn ask_rough_sized<const N: usize>(
+        &self,
+        asked: Supports,
+    ) -> Result<(Conclusion, Option<Carries>), MotionError> {
+        let refused = |error| MotionError::Impact { time: self.time, error };
+        let set = contacts_of::<N>(self.world, &self.state, asked).map_err(refused)?;
+        let (mut drive, mut load) = ([Vec3::ZERO; N], [Load::Absent; N]);
+        let (mut slip, mut present) = ([[0.0; 2]; N], [ContactMode::Open; N]);
+        for (k, (i, a)) in asked.iter().zip(self.free_accelerations(asked)).enumerate() {
+            drive[k] = set.frame[k] * self.state.attitude.apply(a);
+            load[k] = Load::Touching(0.0);
+            let own = set.frame[k] * self.slip_of(i);
+            slip[k] = [own.x, own.y];
+            present[k] = if slip[k] == [0.0; 2] { ContactMode::Sticks } else { ContactMode::Slips };
+        }
+        let problem = RateProblem {
+            count: set.count,
+            operator: &set.operator,
+            friction: &set.friction,
+            drive,
+            slip,
+            load,
+        };
+        let answer = problem.solve_first();
+        let conclusion = answer.count.conclusion();
+        let present = (self.options.choice != Choice::KeepFewest).then_some(&present);
+        let Some(chosen) = answer.preferred(present, self.options.choice.preference()) else {
+            return Ok((conclusion, None));
+        };
+        let mut carries = Carries::default();
+        for (k, i) in asked.iter().enumerate() {
+            let along = set.frame[k].transposed() * self.lead_of(chosen, k);
+            match self.does(asked, chosen, k, slip[k] == [0.0; 2]) {
+                ContactMode::Open => {}
+                ContactMode::Sticks => carries.sticking = carries.sticking.with(i),
+                ContactMode::Slips => carries.slipping = carries.slipping.with(i),
+                ContactMode::Starts => {
+                    carries.slipping = carries.slipping.with(i);
+                    carries.leads.push((i, along));
+                }
+            }
+        }
+        Ok((conclusion, Some(carries)))
+    }
+
+    /// What one of the supports that were asked about does then.
+    fn does<const N: usize>(
+        &self,
+        asked: Supports,
+        chosen: &Solution<N>,
+        k: usize,
+        rests: bool,
+    ) -> ContactMode {
+        let weight = self.world.body().mass() * self.world.gravity().norm();
+        let carries = chosen.rates[k].z > WEIGHTLESS * weight;
+        // On a plane of its own one that carries nothing touches on, where nothing takes it away: beside a wall, say.
+        let idles = !carries && !self.world.is_of_one_plane(asked) && self.stays(chosen.response[k].z);
+        // Nothing draws it anywhere: without friction too it stays where it is.
+        let put = rests && self.stays_put(chosen.response[k]);
+        match chosen.guess[k].mode {
+            mode if carries && (mode == ContactMode::Sticks || !put) => mode,
+            _ if !carries && !idles => ContactMode::Open,
+            _ if put => ContactMode::Sticks,
+            _ if rests => ContactMode::Starts,
+            _ => ContactMode::Slips,
+        }
+    }
+
+    /// Where a support that starts to slip slips to, in its frame: one that carries nothing goes with the body.
+    fn lead_of<const N: usize>(&self, chosen: &Solution<N>, k: usize) -> Vec3 {
+        let flat = |x: f64, y: f64| Vec3::new(x, y, 0.0);
+        if chosen.guess[k].mode == ContactMode::Starts {
+            let [x, y] = chosen.direction[k];
+            return flat(x, y);
+        }
+        flat(chosen.response[k].x, chosen.response[k].y).unit().unwrap_or(Vec3::ZERO)
+    }
+}
