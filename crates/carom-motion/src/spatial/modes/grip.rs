@@ -39,12 +39,12 @@ impl Bearing {
 }
 
 /// What these supports do.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::spatial) struct Reactions {
     /// On each of them, body axes.
-    pub(in crate::spatial) forces: [Vec3; MOST_BEARING],
+    pub(in crate::spatial) forces: Vec<Vec3>,
     /// The normal part of each.
-    pub(in crate::spatial) normals: [f64; MOST_BEARING],
+    pub(in crate::spatial) normals: Vec<f64>,
     /// All of them, and their moment about the mass centre.
     pub(in crate::spatial) force: Vec3,
     pub(in crate::spatial) moment: Vec3,
@@ -82,9 +82,8 @@ impl Grip<'_> {
     }
 
     fn answer(&self, exact: bool) -> Option<Reactions> {
-        let (pushes, count) = self.pushes();
-        let pushes = &pushes[..count];
-        match count {
+        let pushes = &self.pushes()[..];
+        match pushes.len() {
             0 => Some(self.of(&[], pushes, 1.0)),
             1 => {
                 let one = &pushes[0];
@@ -99,13 +98,12 @@ impl Grip<'_> {
         }
     }
 
-    fn pushes(&self) -> ([Push; MOST], usize) {
-        let (mut pushes, mut count) = ([Push::default(); MOST], 0);
+    fn pushes(&self) -> Vec<Push> {
+        let mut pushes = Vec::with_capacity(3 * self.bearings.len());
         for (of, b) in self.bearings.iter().enumerate() {
             let mut push = |force: Vec3, axis: Vec3| {
                 let angular = self.body.mobility() * b.arm.cross(force);
-                pushes[count] = Push { of, force, linear: force / self.body.mass(), angular, axis };
-                count += 1;
+                pushes.push(Push { of, force, linear: force / self.body.mass(), angular, axis });
             };
             if b.sticks {
                 b.axes.iter().for_each(|axis| push(*axis, *axis));
@@ -113,7 +111,7 @@ impl Grip<'_> {
                 push(b.up() - b.toward * b.friction, b.up());
             }
         }
-        (pushes, count)
+        pushes
     }
 
     /// Response of the constraint `of` to a unit force of the push `by`: acceleration of its support along its axis [1/kg].
@@ -177,8 +175,8 @@ impl Grip<'_> {
 
     fn of(&self, x: &[f64], pushes: &[Push], regularity: f64) -> Reactions {
         let mut out = Reactions {
-            forces: [Vec3::ZERO; MOST_BEARING],
-            normals: [0.0; MOST_BEARING],
+            forces: vec![Vec3::ZERO; self.bearings.len()],
+            normals: Vec::with_capacity(self.bearings.len()),
             force: Vec3::ZERO,
             moment: Vec3::ZERO,
             regularity,
@@ -187,7 +185,7 @@ impl Grip<'_> {
             out.forces[push.of] += push.force * *x;
         }
         for (i, b) in self.bearings.iter().enumerate() {
-            out.normals[i] = out.forces[i].dot(b.up());
+            out.normals.push(out.forces[i].dot(b.up()));
             out.force += out.forces[i];
             out.moment += b.arm.cross(out.forces[i]);
         }

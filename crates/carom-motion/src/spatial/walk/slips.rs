@@ -3,7 +3,7 @@
 use super::sliding::carriers::Carrier;
 use super::sliding::{DIMENSIONS, Sliding, Slowing, Vector};
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::modes::grip::{Bearing, MOST_BEARING};
+use crate::spatial::modes::grip::Bearing;
 use crate::tolerance::SLIPS_ACROSS;
 use carom_num::Vec3;
 
@@ -11,7 +11,7 @@ impl Sliding {
     /// The slips that friction acts against.
     pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
         let now = self.moment(y);
-        let normals = self.reactions(&now).map_or([0.0; MOST_BEARING], |r| r.normals);
+        let normals = self.reactions(&now).map_or_else(|| vec![0.0; self.carriers.len()], |r| r.normals);
         let [east, north, up] = now.axes;
         let (yaw, yaw_rate) = (y[12], rate[12]);
         let turning = Vec3::new(rate[4], rate[5], rate[6]);

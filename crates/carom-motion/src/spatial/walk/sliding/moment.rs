@@ -1,7 +1,7 @@
 //! A sliding body at one instant: what each support does, and how the body answers.
 
 use super::{Sliding, Vector};
-use crate::spatial::modes::grip::{Bearing, Grip, MOST_BEARING, Reactions};
+use crate::spatial::modes::grip::{Bearing, Grip, Reactions};
 use carom_num::{Rotation, Vec3};
 
 /// The body at one instant.
@@ -10,9 +10,9 @@ pub(in crate::spatial) struct Moment {
     pub(in crate::spatial) spin: Vec3,
     /// The tangents and the normal of the foot's plane, body axes.
     pub(in crate::spatial) axes: [Vec3; 3],
-    pub(in crate::spatial) bearings: [Bearing; MOST_BEARING],
+    pub(in crate::spatial) bearings: Vec<Bearing>,
     /// Slip speeds \[m/s\].
-    pub(in crate::spatial) speeds: [f64; MOST_BEARING],
+    pub(in crate::spatial) speeds: Vec<f64>,
     /// Angular acceleration of the free body.
     free: Vec3,
 }
@@ -28,8 +28,9 @@ impl Sliding {
         let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
         let slip = east * y[9] + north * y[10];
-        let (mut bearings, mut speeds) = ([Bearing::default(); MOST_BEARING], [0.0; MOST_BEARING]);
-        for (k, c) in self.carriers.iter().enumerate() {
+        let count = self.carriers.len();
+        let (mut bearings, mut speeds) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for c in &self.carriers {
             let axes = if c.level { axes } else { c.then.map(|axis| turned.undo(axis)) };
             let bearing = Bearing { axes, ..Bearing::default() };
             // What touches the foot's plane lies in it: no other part of the spin moves it along.
@@ -39,22 +40,21 @@ impl Sliding {
             // On several planes a slip that is to start is never zero to the last digit.
             let own =
                 if self.apart && lead != Vec3::ZERO && own.norm() <= self.speck { Vec3::ZERO } else { own };
-            speeds[k] = own.norm();
-            bearings[k] = Bearing {
+            speeds.push(own.norm());
+            bearings.push(Bearing {
                 arm: c.arm,
                 axes,
                 friction: c.friction,
                 sticks: c.sticks,
                 toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
                 drive: gravity + free.cross(c.arm) + spin.cross(spin.cross(c.arm)),
-            };
+            });
         }
         Moment { turned, spin, axes, bearings, speeds, free }
     }
 
     pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
-        let bearings = &now.bearings[..self.carriers.len()];
-        Grip { body: &self.body, bearings }.reactions()
+        Grip { body: &self.body, bearings: &now.bearings }.reactions()
     }
 
     pub(super) fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {

@@ -2,7 +2,7 @@
 
 use super::{Sliding, Vector};
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::modes::grip::{Bearing, Grip, MOST_BEARING};
+use crate::spatial::modes::grip::{Bearing, Grip};
 use carom_num::{Rotation, Vec3};
 
 impl Sliding {
@@ -24,7 +24,7 @@ impl Sliding {
         };
         let mut bearings = self.bearings(y, Supports::NONE, height);
         bearings.iter_mut().for_each(|b| b.sticks = false);
-        let grip = Grip { body: &self.body, bearings: &bearings[..self.carriers.len()] };
+        let grip = Grip { body: &self.body, bearings: &bearings };
         let Some(shift) = grip.corrections() else { return *y };
         let turn = self.body.mobility() * shift.moment;
         let gone = shift.force / self.body.mass() + turn.cross(self.foot);
@@ -44,7 +44,7 @@ impl Sliding {
         y: &Vector,
         stopped: Supports,
         drive: impl Fn(&Bearing, usize) -> Vec3,
-    ) -> [Bearing; MOST_BEARING] {
+    ) -> Vec<Bearing> {
         let mut bearings = self.moment(y).bearings;
         for (k, c) in self.carriers.iter().enumerate() {
             let sticks = c.sticks || stopped.contains(c.support);
@@ -61,13 +61,8 @@ impl Sliding {
     }
 
     /// The motion after impulses that take the drives away.
-    pub(in crate::spatial) fn moved(
-        &self,
-        y: &Vector,
-        bearings: &[Bearing; MOST_BEARING],
-        axes: [Vec3; 3],
-    ) -> Vector {
-        let grip = Grip { body: &self.body, bearings: &bearings[..self.carriers.len()] };
+    pub(in crate::spatial) fn moved(&self, y: &Vector, bearings: &[Bearing], axes: [Vec3; 3]) -> Vector {
+        let grip = Grip { body: &self.body, bearings };
         let Some(push) = grip.corrections() else { return *y };
         let spin = self.body.mobility() * push.moment;
         self.changed(y, push.force / self.body.mass(), spin, axes)
@@ -109,7 +104,7 @@ impl Sliding {
     pub(in crate::spatial) fn admissible(&self, y: &Vector, velocity: Vec3, spin: Vec3) -> (Vec3, Vec3) {
         let drive = |b: &Bearing, _: usize| velocity + spin.cross(b.arm);
         let bearings = self.bearings(y, Supports::NONE, drive);
-        let grip = Grip { body: &self.body, bearings: &bearings[..self.carriers.len()] };
+        let grip = Grip { body: &self.body, bearings: &bearings };
         grip.corrections().map_or((Vec3::ZERO, Vec3::ZERO), |push| {
             (velocity + push.force / self.body.mass(), spin + self.body.mobility() * push.moment)
         })
