@@ -231,6 +231,8 @@ pub(crate) const LEAST_SLIP_GROWTH: f64 = 1e-3;
 
 /// Tolerance of a step where nobody asks for another.
 pub(crate) const SPATIAL_TOLERANCE: f64 = 1e-14;
+/// Events within this fraction of the world's time are at one instant.
+pub(crate) const ONE_INSTANT: f64 = 1e-10;
 /// No explicit step is shorter than this.
 pub(crate) const SHORTEST_SPATIAL_STEP: f64 = 1e-15;
 /// No implicit step is shorter than this.

@@ -1,6 +1,7 @@
-//! A rigid body over a fixed plane in space: with friction ([`World::with_friction`]) its supports may slide, without it none that touches does.
+//! A rigid body over a fixed plane in space, or among several ([`World::among`]): with friction ([`World::with_friction`]) its supports may slide, without it none
+//! that touches does.
 //!
-//! World axes: z is the plane's normal, the plane is z = 0. Body axes have their origin in the mass centre. Spins are in body axes, impulses and
+//! World axes: where nothing else is said the one plane is z = 0 with the normal z. Body axes have their origin in the mass centre. Spins are in body axes, impulses and
 //! velocities in world axes. SI units.
 
 #[cfg(test)]

@@ -62,7 +62,7 @@ impl Choice {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Overturning {
-    /// When an axis of the body leans from the plane's normal by this much.
+    /// When an axis of the body leans by this much from the normal of the plane that its foot is on, in flight of the first plane.
     Tilt {
         /// A unit vector of the body's axes, upright at first.
         axis: Vec3,

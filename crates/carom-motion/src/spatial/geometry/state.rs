@@ -46,10 +46,10 @@ impl State {
         Self { centre: -attitude.apply(arm), attitude, velocity: attitude.apply(arm.cross(spin)), spin }
     }
 
-    /// The plane's normal, body axes.
+    /// The world's z, body axes: the normal of the plane z = 0.
     ///
     /// # Example
-    /// A body that lies on its back, turned about x by a right angle, has the plane's normal along its y.
+    /// A body that lies on its back, turned about x by a right angle, has the world's z along its y.
     /// ```
     /// use carom_motion::spatial::{State, examples};
     /// use carom_num::{Rotation, Vec3};
@@ -61,7 +61,7 @@ impl State {
         self.attitude.undo(Vec3::Z)
     }
 
-    /// The angle between an axis of the body and the plane's normal, in [0, π] \[rad\].
+    /// The angle between an axis of the body and the world's z, in [0, π] \[rad\].
     pub fn tilt(&self, axis: Vec3) -> f64 {
         let up = self.up();
         atan2(up.cross(axis).norm(), up.dot(axis))

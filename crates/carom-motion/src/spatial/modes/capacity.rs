@@ -1,6 +1,7 @@
 //! How much friction the supports of several planes need that hold a body.
 
 use super::grip::{Bearing, Grip, MOST_BEARING};
+use crate::spatial::geometry::body::Body;
 use crate::spatial::geometry::posture::Posture;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
@@ -10,6 +11,8 @@ use carom_num::{Basis, Rotation, Vec3};
 
 /// Unknown forces, at most.
 const MOST: usize = 3 * MOST_BEARING;
+/// What is left of a unit force among many is no smaller than this, or it is nothing.
+const FREE_RANK: f64 = 1e-6;
 
 /// Supports that hold a body, where a stretch of motion starts: body axes as they were then.
 #[derive(Clone, Debug)]
@@ -38,26 +41,7 @@ impl Capacity {
     /// negative where none do.
     pub(in crate::spatial) fn left(&self, at: &Posture) -> f64 {
         let bearings: Vec<Bearing> = (0..self.supports.len()).map(|k| self.bearing(k, at)).collect();
-        let Some(reactions) = (Grip { body: self.world.body(), bearings: &bearings }).corrections() else {
-            return f64::NAN;
-        };
-        let scaled = |k: usize, v: Vec3| {
-            let friction = bearings[k].friction.max(LEAST_GRIP);
-            Vec3::new(v.x / friction, v.y / friction, v.z)
-        };
-        let of_one = |(k, b): (usize, &Bearing)| {
-            let [x, y, z] = b.axes.map(|axis| axis.dot(reactions.forces[k]));
-            scaled(k, Vec3::new(x, y, z))
-        };
-        let forces: Vec<Vec3> = bearings.iter().enumerate().map(of_one).collect();
-        let all = |free: &[f64; MOST]| {
-            let part = |k: usize| scaled(k, Vec3::new(free[3 * k], free[3 * k + 1], free[3 * k + 2]));
-            (0..bearings.len()).map(part).collect::<Vec<_>>()
-        };
-        let open: Vec<Vec<Vec3>> = balanced(&bearings).iter().map(all).collect();
-        let needed = narrowest(&forces, &open);
-        // In [-1, 1], also where no friction is enough.
-        if needed.is_finite() { (1.0 - needed) / (1.0 + needed) } else { -1.0 }
+        left_of(self.world.body(), &bearings)
     }
 
     fn bearing(&self, k: usize, at: &Posture) -> Bearing {
@@ -75,18 +59,45 @@ impl Capacity {
     }
 }
 
-/// Forces on the supports that balance each other: along the axes of each in turn.
-fn balanced(bearings: &[Bearing]) -> Vec<[f64; MOST]> {
+/// The same for supports some of which slip: these must not pull.
+pub(in crate::spatial) fn left_of(body: &Body, bearings: &[Bearing]) -> f64 {
+    let Some(reactions) = (Grip { body, bearings }).corrections() else { return f64::NAN };
+    let scaled = |b: &Bearing, v: Vec3| {
+        let friction = b.friction.max(LEAST_GRIP);
+        if b.sticks { Vec3::new(v.x / friction, v.y / friction, v.z) } else { Vec3::Z * v.z }
+    };
+    let of_one = |(k, b): (usize, &Bearing)| {
+        let [x, y, z] = b.axes.map(|axis| axis.dot(reactions.forces[k]));
+        scaled(b, Vec3::new(x, y, z))
+    };
+    let forces: Vec<Vec3> = bearings.iter().enumerate().map(of_one).collect();
+    let all = |free: &[f64; MOST]| {
+        let mut next = free.iter();
+        let mut one = || next.next().copied().unwrap_or(0.0);
+        let part = |b: &Bearing| {
+            let along = if b.sticks { [one(), one()] } else { [0.0; 2] };
+            scaled(b, Vec3::new(along[0], along[1], one()))
+        };
+        bearings.iter().map(part).collect::<Vec<_>>()
+    };
+    let open: Vec<Vec<Vec3>> = balanced(bearings).iter().map(all).collect();
+    let needed = narrowest(&forces, &open);
+    // In [-1, 1], also where no friction is enough.
+    if needed.is_finite() { (1.0 - needed) / (1.0 + needed) } else { -1.0 }
+}
+
+/// Forces on the supports that balance each other: along the axes of each that sticks, and along the force of each that slips.
+pub(in crate::spatial) fn balanced(bearings: &[Bearing]) -> Vec<[f64; MOST]> {
     let mut basis = Basis::<MOST>::NONE;
     let reach = bearings.iter().map(|b| b.arm.norm()).fold(0.0, f64::max);
+    let pushes: Vec<(Vec3, Vec3)> =
+        bearings.iter().flat_map(|b| b.pushes().into_iter().map(|f| (b.arm, f))).collect();
     let rows: [fn(Vec3) -> f64; 3] = [|v| v.x, |v| v.y, |v| v.z];
     for of in rows {
         let row = |moment: bool| {
             let mut out = [0.0; MOST];
-            for (k, b) in bearings.iter().enumerate() {
-                for (a, axis) in b.axes.iter().enumerate() {
-                    out[3 * k + a] = of(if moment { b.arm.cross(*axis) / reach } else { *axis });
-                }
+            for (out, (arm, force)) in out.iter_mut().zip(&pushes) {
+                *out = of(if moment { arm.cross(*force) / reach } else { *force });
             }
             out
         };
@@ -94,8 +105,8 @@ fn balanced(bearings: &[Bearing]) -> Vec<[f64; MOST]> {
         basis.take(row(true), MODE_RANK);
     }
     let holding = basis.axes().len();
-    for one in 0..3 * bearings.len() {
-        basis.take(std::array::from_fn(|k| if k == one { 1.0 } else { 0.0 }), MODE_RANK);
+    for one in 0..pushes.len() {
+        basis.take(std::array::from_fn(|k| if k == one { 1.0 } else { 0.0 }), FREE_RANK);
     }
     basis.axes()[holding..].to_vec()
 }

@@ -32,6 +32,11 @@ impl Bearing {
         self.axes[2]
     }
 
+    /// The directions in which it can push with one unknown each.
+    pub(in crate::spatial) fn pushes(&self) -> Vec<Vec3> {
+        if self.sticks { self.axes.to_vec() } else { vec![self.up() - self.toward * self.friction] }
+    }
+
     /// The part of a vector along its plane.
     pub(in crate::spatial) fn along(&self, v: Vec3) -> Vec3 {
         v - self.up() * self.up().dot(v)
@@ -154,9 +159,14 @@ impl Grip<'_> {
             }
         }
         let largest = columns.iter().fold(0.0, |m: f64, c| m.max(dot(c, c))).sqrt();
-        columns[..pushes.len()].iter().for_each(|column| {
-            basis.take(*column, MODE_RANK * largest);
-        });
+        // The one with the most that is new comes first: what is left of those that depend on others is then rounding.
+        let square = |column: &[f64; M]| dot(column, column);
+        while let Some(next) = columns[..pushes.len()]
+            .iter()
+            .map(|column| basis.left(*column))
+            .max_by(|a, b| square(a).total_cmp(&square(b)))
+            && basis.take(next, MODE_RANK * largest)
+        {}
         let axes = basis.axes();
         let (mut along, mut must) = ([[0.0; M]; M], [0.0; M]);
         for (a, axis) in axes.iter().enumerate() {

@@ -96,6 +96,19 @@ impl Mode {
         }
     }
 
+    /// The supports whose points stay where they are: those of other planes, too, that they may not touch.
+    pub(in crate::spatial) fn fixed(&self, world: &World) -> Supports {
+        let near = ON_EDGE * world.body().reach();
+        let of = |on: &dyn Fn(Vec3) -> bool| (0..world.count()).filter(|i| on(world.arm(*i))).collect();
+        match *self {
+            Self::Flight => Supports::NONE,
+            Self::Slides { sticking, .. } => Self::holding(world, sticking).fixed(world),
+            Self::Pivot { support, .. } => of(&|arm| (arm - world.arm(support)).norm() <= near),
+            Self::Edge { ends: [a, _], along, .. } => of(&|arm| off_line(arm, world.arm(a), along) <= near),
+            Self::Rest { .. } => (0..world.count()).collect(),
+        }
+    }
+
     /// The support whose place the motion is reckoned from.
     pub(in crate::spatial) fn foot(&self) -> Option<usize> {
         match *self {

@@ -26,13 +26,13 @@ use carom_num::{Rotation, Vec3};
 pub struct Impact {
     /// Time \[s\].
     pub time: f64,
-    /// The supports that touch the plane.
+    /// The supports that touch their planes.
     pub touching: Supports,
     /// Those of them that come down on it.
     pub striking: Supports,
     /// Those that were held before it.
     pub held: Supports,
-    /// Those that stay on the plane after it.
+    /// Those that stay on their planes after it.
     pub kept: Supports,
     /// Those of them that slide; without friction none does.
     pub sliding: Supports,
@@ -61,7 +61,7 @@ pub struct Impact {
 }
 
 impl Impact {
-    /// The supports that touch and leave the plane.
+    /// The supports that touch and leave their planes.
     pub fn opened(&self) -> Supports {
         self.touching.difference(self.kept)
     }
@@ -167,7 +167,7 @@ pub enum Clock {
 pub enum Budget {
     /// Of time.
     Time,
-    /// Of steps.
+    /// Of steps; or a thousand events within 10⁻¹⁰ of the world's time.
     Steps,
     /// Of impacts.
     Impacts,
@@ -195,7 +195,7 @@ pub enum Budget {
 pub enum End {
     /// It rests on these supports.
     AtRest {
-        /// Three or more, not on one line: all that lie on the plane.
+        /// Three or more, not on one line: all that lie on planes.
         held: Supports,
     },
     /// It stands still on a support or an edge, in an equilibrium that does not last.

@@ -63,8 +63,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
             first = earlier(first, fall);
         }
         first = first.map(|found| placed(self, step, found.event, found.at));
-        let held = self.held;
-        let free = (0..self.walker.world.count()).filter(|i| !held.contains(*i));
+        let level = self.level;
+        let free = (0..self.walker.world.count()).filter(|i| !level.contains(*i));
         for support in free {
             let until = first.map_or(1.0, |found| found.at);
             let from = if self.departing.contains(support) {
@@ -103,7 +103,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
             let bend = self.motion.bend(&at, &own, (until - x) * length);
             if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
                 let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
-                // A height that hardly changes, as that of a point which is held, may come down long after this step.
+                // What hardly moves may come down long after this step.
                 let later =
                     ends[0] >= until || ends[1] > until && self.look(step, support, until).value > 0.0;
                 if later {

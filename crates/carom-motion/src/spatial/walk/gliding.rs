@@ -24,8 +24,9 @@ const SAMPLES: u32 = 8;
 pub(super) struct Gliding<'g, 'w, M> {
     pub(super) walker: &'g mut Walker<'w>,
     pub(in crate::spatial) motion: M,
-    /// Supports that are held.
+    /// Supports that are held, and all whose heights do not change.
     pub(in crate::spatial) held: Supports,
+    pub(super) level: Supports,
     /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
     pub(super) departing: Supports,
     pub(in crate::spatial) overturning: Option<Overturning>,
@@ -43,6 +44,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         let body = walker.world.body();
         Self {
             held: walker.mode.held(walker.world),
+            level: walker.mode.held(walker.world).union(walker.mode.fixed(walker.world)),
             departing: std::mem::take(&mut walker.departing),
             overturning: walker.options.overturning,
             middle: body.middle(),

@@ -26,6 +26,8 @@ pub(in crate::spatial) enum Event {
     /// The friction that a support takes, one end of an edge or both of them, has come to the edge of its cone: the first end's, the second's, or that along
     /// the edge. Of a body that slides, that of the support of this number.
     Slips(usize),
+    /// Supports of several planes can no longer all do what they do: no forces within their cones are left.
+    Gives,
     /// The slip of a support comes to zero.
     Stops,
     /// Friction presses a sliding body on the plane without bound.
@@ -200,7 +202,7 @@ impl Motion for Standing {
     fn smooth_events(&self) -> Vec<Event> {
         let (mut events, grips) = match self.stretch.equations.mode() {
             // Which of them slips, and whether one is let go, the rate problem says.
-            _ if self.capacity.is_some() => (vec![], 1),
+            _ if self.capacity.is_some() => (vec![Event::Gives], 0),
             Mode::Pivot { support, .. } => (vec![Event::Lets { support, place: 0 }], 1),
             Mode::Edge { ends: [a, b], .. } => {
                 (vec![Event::Lets { support: a, place: 0 }, Event::Lets { support: b, place: 1 }], 3)
@@ -216,10 +218,8 @@ impl Motion for Standing {
     fn value(&self, event: &Event, _: &Vector, at: &Posture) -> f64 {
         match (*event, self.friction) {
             (Event::Lets { place, .. }, _) => self.stretch.equations.normal_forces(at)[place],
-            (Event::Slips(which), Some(friction)) => match &self.capacity {
-                Some(capacity) => capacity.left(at),
-                None => self.grip(friction, which, at),
-            },
+            (Event::Slips(which), Some(friction)) => self.grip(friction, which, at),
+            (Event::Gives, _) => self.capacity.as_ref().map_or(f64::INFINITY, |capacity| capacity.left(at)),
             _ => f64::INFINITY,
         }
     }

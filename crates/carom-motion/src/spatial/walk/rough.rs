@@ -153,7 +153,7 @@ impl Walker<'_> {
     pub(super) fn slip_starts(&mut self, which: usize) -> Result<Option<End>, MotionError> {
         let held = self.mode.held(self.world);
         if !self.world.is_of_one_plane(held) {
-            return self.slips_apart(which, held);
+            return self.slips_apart(Some(which), held);
         }
         let carries = match self.mode {
             BodyMode::Slides { .. } => self.slips_against(Supports::one(which))?,
@@ -178,7 +178,11 @@ impl Walker<'_> {
     /// Supports of several planes can no longer all do what they do: the rate problem says what follows, a moment later, when their cones are clearly left.
     ///
     /// Where it finds nothing, or that the one support could stick if others took more than equal springs do, that one slips against its friction.
-    fn slips_apart(&mut self, which: usize, held: Supports) -> Result<Option<End>, MotionError> {
+    pub(super) fn slips_apart(
+        &mut self,
+        which: Option<usize>,
+        held: Supports,
+    ) -> Result<Option<End>, MotionError> {
         let now = self.state;
         self.state = self.ahead(SLIPS_AHEAD * self.scales.time)?;
         self.effort.questions += 1;
@@ -188,21 +192,24 @@ impl Walker<'_> {
         if conclusion == Conclusion::Several && self.options.choice == Choice::End {
             return Ok(Some(End::Several(Clock::Motion)));
         }
-        let slides = matches!(self.mode, BodyMode::Slides { .. });
-        let goes_on = |carries: &Carries| {
-            let still = carries.sticking;
-            if slides { still.contains(which) } else { held.difference(still).is_empty() }
+        let present = match self.mode {
+            BodyMode::Slides { sticking, slipping } => (sticking, slipping),
+            _ => (held, Supports::NONE),
         };
-        match way.filter(|carries| !goes_on(carries)) {
-            Some(carries) => self.enter(carries, held),
-            None if slides => {
+        let goes_on = |carries: &Carries| {
+            let same = (carries.sticking, carries.slipping) == present;
+            same || which.is_some_and(|one| carries.sticking.contains(one))
+        };
+        match (way.filter(|carries| !goes_on(carries)), which) {
+            (Some(carries), _) => self.enter(carries, held),
+            (None, Some(which)) => {
                 let world = self.world;
                 let alike =
                     |i: &usize| world.arm(*i) == world.arm(which) && world.normal(*i) == world.normal(which);
                 let carries = self.slips_against(held.iter().filter(alike).collect())?;
                 self.enter(carries, held)
             }
-            None => self.strike_unapproached(held),
+            (None, None) => self.strike_unapproached(held),
         }
     }
 

@@ -4,8 +4,9 @@
 //! the foot has gone and its slip (along the tangents of its plane), the work of friction, and the spin about that plane's normal once more. The slip and that
 //! spin are what all slips on that plane are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
 
-use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED, WEIGHTLESS};
+use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 pub(in crate::spatial) mod carriers;
+mod load;
 mod moment;
 mod projection;
 
@@ -69,6 +70,8 @@ pub(in crate::spatial) struct Sliding {
     axes: [Vec3; 3],
     /// The carriers are on several planes.
     pub(super) apart: bool,
+    /// They are, and forces of theirs can balance each other.
+    redundant: bool,
     /// What the normal of the one plane must keep to, body axes: that of the plane through three supports, or none.
     normal: Option<Vec3>,
     /// The other end of an edge from the foot, body axes.
@@ -133,6 +136,7 @@ impl Sliding {
             frame,
             axes,
             apart,
+            redundant: false,
             normal: normal.map(|n| if n.dot(axes[2]) < 0.0 { -n } else { n }),
             edge,
             speck,
@@ -148,15 +152,6 @@ impl Sliding {
         let first = if apart { motion.projected(&first, starting) } else { motion.tidied(&first) };
         motion.note_idle(&first);
         Some((motion, first))
-    }
-
-    /// Marks the carriers that carry nothing where the stretch starts.
-    fn note_idle(&mut self, first: &Vector) {
-        let Some(reactions) = self.reactions(&self.moment(first)).filter(|_| self.apart) else { return };
-        let nothing = WEIGHTLESS * self.body.mass() * self.gravity.norm();
-        for (c, normal) in self.carriers.iter_mut().zip(reactions.normals) {
-            c.spare = if normal.abs() <= nothing { nothing } else { 0.0 };
-        }
     }
 
     /// The same, where the slip of a support has come to its end: it is zero. The slower a slip is, the faster friction turns it, so that on its last
@@ -349,6 +344,12 @@ impl Motion for Sliding {
     }
 
     fn smooth_events(&self) -> Vec<Event> {
+        if self.redundant {
+            // How they share is open: they go on as long as some forces let them.
+            let idle = self.carriers.iter().enumerate().filter(|(_, c)| c.spare > 0.0);
+            let lets = idle.map(|(place, c)| Event::Lets { support: c.support, place });
+            return lets.chain([Event::Gives]).collect();
+        }
         let lets = self.carriers.iter().enumerate();
         let mut events: Vec<Event> =
             lets.map(|(place, c)| Event::Lets { support: c.support, place }).collect();
@@ -378,6 +379,7 @@ impl Motion for Sliding {
                 let most = self.carriers[k].friction * normal;
                 most * most - across.dot(across)
             }
+            Event::Gives => self.left(&now),
             Event::Jams => reactions.regularity,
             _ => f64::INFINITY,
         }

@@ -16,8 +16,12 @@ use crate::spatial::record::observer::Observer;
 use crate::spatial::record::run::Impact;
 use crate::spatial::record::run::{Budget, Clock, Closing, End, Run};
 use crate::spatial::terms::{Effort, Options};
+use crate::tolerance::ONE_INSTANT;
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
+
+/// Events at one instant after which a run ends: what it does there has no end.
+const MOST_AT_ONE_INSTANT: u32 = 1000;
 
 /// A body on its way.
 pub(super) struct Walker<'w> {
@@ -76,7 +80,7 @@ pub(super) struct Walker<'w> {
 /// Without friction impacts are plastic; each says how much friction it needs, and where no motion without sliding is consistent the run ends.
 ///
 /// With friction, more supports than determine their forces carry the body as equal springs do: where
-/// a body turns while it slides on four supports or more, its motion depends on that. At most sixteen supports touch at once. A slip below 1e-11 of the
+/// a body turns while it slides on four supports or more, its motion depends on that. At most sixteen supports of one plane touch at once, eight of several; a point in a corner is one of each plane. A slip below 1e-11 of the
 /// world's speed is rest. Closed series keep the friction of their impulses to first order in what is left of them. Where friction lets no motion go on
 /// (Painlevé's paradox) there is an impact without approach, or else, by name, no consistent outcome; so ends a run too whose impact the walk of
 /// [`carom_impact::spatial::staged`] gives up.
@@ -149,8 +153,16 @@ impl<'w> Walker<'w> {
     }
 
     fn go_on(&mut self) -> Result<End, MotionError> {
+        let (mut instant, mut events) = (self.time, 0);
         loop {
             let time = self.time;
+            if time - instant > ONE_INSTANT * self.scales.time {
+                (instant, events) = (time, 0);
+            }
+            events += 1;
+            if events > MOST_AT_ONE_INSTANT {
+                return Ok(End::BudgetSpent(Budget::Steps));
+            }
             let (end, lost) = watched(|| self.advance());
             // What it has come to is not to be relied on.
             if lost && end.is_ok() {
@@ -171,6 +183,7 @@ impl<'w> Walker<'w> {
             Stop::Event(Event::Touches(_)) => self.meet()?,
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
             Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
+            Stop::Event(Event::Gives) => self.slips_apart(None, self.mode.held(self.world))?,
             Stop::Event(Event::Stops) => self.slip_stops()?,
             Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world))?,
             Stop::Event(Event::Overturns) => Some(End::Overturned),
