@@ -17,45 +17,37 @@ const FREE_RANK: f64 = 1e-6;
 /// Supports that hold a body, where a stretch of motion starts: body axes as they were then.
 #[derive(Clone, Debug)]
 pub(in crate::spatial) struct Capacity {
-    world: World,
-    supports: Vec<usize>,
-    /// The tangents and the normal of each plane.
-    then: Vec<[Vec3; 3]>,
+    body: Body,
+    then: Vec<Bearing>,
     gravity: Vec3,
 }
 
 impl Capacity {
     /// `None` in a world without friction, where nothing slides whatever that takes.
     pub(in crate::spatial) fn of(world: &World, held: Supports, attitude: Rotation) -> Option<Self> {
-        world.friction()?;
-        let axes = |i: usize| world.support(i).plane.axes().map(|axis| attitude.undo(axis));
-        Some(Self {
-            world: world.clone(),
-            supports: held.iter().take(MOST_BEARING).collect(),
-            then: held.iter().take(MOST_BEARING).map(axes).collect(),
-            gravity: attitude.undo(world.gravity()),
-        })
+        let friction = world.friction()?;
+        let bearing = |i: usize| Bearing {
+            arm: world.arm(i),
+            axes: world.support(i).plane.axes().map(|axis| attitude.undo(axis)),
+            friction: friction.coefficient(i),
+            sticks: true,
+            ..Bearing::default()
+        };
+        let then = held.iter().take(MOST_BEARING).map(bearing).collect();
+        Some(Self { body: world.body().clone(), then, gravity: attitude.undo(world.gravity()) })
     }
 
     /// What is left of the cones: 1 where no friction is needed, 0 where of all forces that hold the supports the best just lie within their cones, and
     /// negative where none do.
     pub(in crate::spatial) fn left(&self, at: &Posture) -> f64 {
-        let bearings: Vec<Bearing> = (0..self.supports.len()).map(|k| self.bearing(k, at)).collect();
-        left_of(self.world.body(), &bearings)
-    }
-
-    fn bearing(&self, k: usize, at: &Posture) -> Bearing {
-        let (world, support) = (&self.world, self.supports[k]);
-        let (body, arm) = (world.body(), world.arm(support));
-        let free = body.mobility() * -at.spin.cross(body.inertia() * at.spin);
-        Bearing {
-            arm,
-            axes: self.then[k].map(|axis| at.turned.undo(axis)),
-            friction: world.friction().map_or(0.0, |friction| friction.coefficient(support)),
-            sticks: true,
-            toward: Vec3::ZERO,
-            drive: at.turned.undo(self.gravity) + free.cross(arm) + at.spin.cross(at.spin.cross(arm)),
-        }
+        let (gravity, spin) = (at.turned.undo(self.gravity), at.spin);
+        let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
+        let now = |b: &Bearing| Bearing {
+            axes: b.axes.map(|axis| at.turned.undo(axis)),
+            drive: gravity + free.cross(b.arm) + spin.cross(spin.cross(b.arm)),
+            ..*b
+        };
+        left_of(&self.body, &self.then.iter().map(now).collect::<Vec<_>>())
     }
 }
 
@@ -91,7 +83,7 @@ pub(in crate::spatial) fn balanced(bearings: &[Bearing]) -> Vec<[f64; MOST]> {
     let mut basis = Basis::<MOST>::NONE;
     let reach = bearings.iter().map(|b| b.arm.norm()).fold(0.0, f64::max);
     let pushes: Vec<(Vec3, Vec3)> =
-        bearings.iter().flat_map(|b| b.pushes().into_iter().map(|f| (b.arm, f))).collect();
+        bearings.iter().flat_map(|b| b.pushes().map(|(force, _)| (b.arm, force))).collect();
     let rows: [fn(Vec3) -> f64; 3] = [|v| v.x, |v| v.y, |v| v.z];
     for of in rows {
         let row = |moment: bool| {

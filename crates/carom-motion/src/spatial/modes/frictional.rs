@@ -66,23 +66,23 @@ pub(in crate::spatial) fn contacts_of<const N: usize>(
     ContactSet::of_free_body(&state.rigid(world.body()), &touches)
 }
 
-/// Slips of supports that touch their planes, world axes: on each plane those of one motion along it, exactly. Slips that are zero but for rounding are zero,
+/// Slips of supports that touch their planes, in their order, world axes: on each plane those of one motion along it, exactly. Slips that are zero but for rounding are zero,
 /// and the others are of the turn about such a support.
 ///
 /// Their distances do not change, so that differences of slips along them are nothing but the rounding of the body's speeds. A hop may be slower than that is
 /// relative to it, and in its impact no impulse could ever bring such a slip to rest.
 fn slips_on_planes(world: &World, state: &State, touching: Supports, size: f64) -> Vec<Vec3> {
-    let own = |i: usize| touching.common(world.of_plane(world.plane_of(i)));
-    let along = |i: usize, v: Vec3| world.support(i).plane.along(v);
-    let slip = |i: usize| along(i, state.velocity_of(world.arm(i)));
+    let spin = state.attitude.apply(state.spin);
     let rounded = |slip: Vec3| if slip.norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slip };
-    let of = |i: usize| {
-        let slowest = own(i).iter().min_by(|a, b| slip(*a).norm().total_cmp(&slip(*b).norm()));
-        let base = slowest.unwrap_or(i);
-        let (normal, spin) = (world.normal(i), state.attitude.apply(state.spin));
-        let from_base =
-            along(i, state.attitude.apply(world.arm(i))) - along(i, state.attitude.apply(world.arm(base)));
-        rounded(rounded(slip(base)) + (normal * normal.dot(spin)).cross(from_base))
-    };
-    touching.iter().map(of).collect()
+    let mut slips = vec![];
+    for (number, plane) in world.planes().iter().enumerate() {
+        let own = touching.common(world.of_plane(number));
+        let slip = |i: usize| plane.along(state.velocity_of(world.arm(i)));
+        let place = |i: usize| plane.along(state.attitude.apply(world.arm(i)));
+        let slowest = own.iter().min_by(|a, b| slip(*a).norm().total_cmp(&slip(*b).norm()));
+        let Some(base) = slowest else { continue };
+        let (of_base, turn) = (rounded(slip(base)), plane.normal() * plane.normal().dot(spin));
+        slips.extend(own.iter().map(|i| rounded(of_base + turn.cross(place(i) - place(base)))));
+    }
+    slips
 }

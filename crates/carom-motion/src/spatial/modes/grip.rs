@@ -32,9 +32,13 @@ impl Bearing {
         self.axes[2]
     }
 
-    /// The directions in which it can push with one unknown each.
-    pub(in crate::spatial) fn pushes(&self) -> Vec<Vec3> {
-        if self.sticks { self.axes.to_vec() } else { vec![self.up() - self.toward * self.friction] }
+    /// The forces in which it pushes, by one unknown each, and along what it must not move.
+    pub(in crate::spatial) fn pushes(&self) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+        let count = if self.sticks { 3 } else { 1 };
+        self.axes.iter().rev().take(count).rev().map(|axis| {
+            let force = if self.sticks { *axis } else { *axis - self.toward * self.friction };
+            (force, *axis)
+        })
     }
 
     /// The part of a vector along its plane.
@@ -106,15 +110,10 @@ impl Grip<'_> {
     fn pushes(&self) -> Vec<Push> {
         let mut pushes = Vec::with_capacity(3 * self.bearings.len());
         for (of, b) in self.bearings.iter().enumerate() {
-            let mut push = |force: Vec3, axis: Vec3| {
+            pushes.extend(b.pushes().map(|(force, axis)| {
                 let angular = self.body.mobility() * b.arm.cross(force);
-                pushes.push(Push { of, force, linear: force / self.body.mass(), angular, axis });
-            };
-            if b.sticks {
-                b.axes.iter().for_each(|axis| push(*axis, *axis));
-            } else {
-                push(b.up() - b.toward * b.friction, b.up());
-            }
+                Push { of, force, linear: force / self.body.mass(), angular, axis }
+            }));
         }
         pushes
     }

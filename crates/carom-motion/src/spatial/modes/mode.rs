@@ -131,9 +131,8 @@ pub(in crate::spatial) fn spanned(world: &World, bearing: Supports) -> Supports 
 
 /// Those of one plane.
 fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
-    let Mode::Rest { held } = Mode::holding(world, bearing.common(own)) else {
-        return Mode::holding(world, bearing.common(own)).held(world);
-    };
+    let mode = Mode::holding(world, bearing.common(own));
+    let Mode::Rest { held } = mode else { return mode.held(world) };
     let (Some(first), Some(normal)) = (held.iter().next(), normal_of(world, held)) else { return held };
     let on =
         |i: &usize| (world.arm(*i) - world.arm(first)).dot(normal).abs() <= ON_EDGE * world.body().reach();

@@ -24,8 +24,9 @@ const SAMPLES: u32 = 8;
 pub(super) struct Gliding<'g, 'w, M> {
     pub(super) walker: &'g mut Walker<'w>,
     pub(in crate::spatial) motion: M,
-    /// Supports that are held, and all whose heights do not change.
+    /// Supports that are held.
     pub(in crate::spatial) held: Supports,
+    /// They, and all others whose heights do not change.
     pub(super) level: Supports,
     /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
     pub(super) departing: Supports,
@@ -41,10 +42,10 @@ pub(super) struct Gliding<'g, 'w, M> {
 
 impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     pub(in crate::spatial) fn from(walker: &'g mut Walker<'w>, motion: M) -> Self {
-        let body = walker.world.body();
+        let (body, held) = (walker.world.body(), walker.mode.held(walker.world));
         Self {
-            held: walker.mode.held(walker.world),
-            level: walker.mode.held(walker.world).union(walker.mode.fixed(walker.world)),
+            held,
+            level: held.union(walker.mode.fixed(walker.world)),
             departing: std::mem::take(&mut walker.departing),
             overturning: walker.options.overturning,
             middle: body.middle(),
@@ -62,22 +63,6 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         let foreseen = free.filter_map(|i| self.height(i, &at).forecast()).fold(f64::INFINITY, f64::min);
         let own = if self.walker.length > 0.0 { self.walker.length } else { FIRST_STEP * unit };
         own.max(FIRST_STEP * unit).min(BEYOND * foreseen).max(SHORTEST_SPATIAL_STEP * unit)
-    }
-
-    /// A step of this length or less, implicit where explicit ones would be short, and the length of the next.
-    fn one_step(
-        &mut self,
-        from: (&M::Y, &M::Y),
-        length: f64,
-        pace: &Pace<M::Y>,
-    ) -> Result<(Step<M::Y>, f64), Lost> {
-        match self.motion.stiff_step(from, (length, pace.longest), &pace.tolerance) {
-            Some(stiff) => {
-                self.walker.effort.steps += 1;
-                Ok(stiff)
-            }
-            None => course::step(self, from, length, pace),
-        }
     }
 
     /// The stretch ends here, so long after its start.
@@ -125,10 +110,6 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
             observer.sample(begin + along, mode, &state(along));
         }
     }
-}
-
-fn is_number<Y: Vector>(rate: &Y) -> bool {
-    (0..Y::COUNT).all(|i| rate.at(i).is_finite())
 }
 
 /// Rates of a motion. If one of them is no number, none is. Rates that do not exist, because friction jams the body, are not lost numbers.
@@ -223,15 +204,12 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
             self.arrive(from.0, self.elapsed);
             return Err(Lost::Short(longest));
         }
-        let mut made = self.one_step(from, length, pace);
-        // Where the forces grow without bound there are no rates: the motion goes on to just before.
-        while let Ok((step, _)) = &made
-            && !(is_number(&step.end_rate) && is_number(&step.at(0.5)))
-        {
-            let length = 0.5 * step.length;
-            made =
-                if length < shortest { Err(Lost::Short(length)) } else { self.one_step(from, length, pace) };
-        }
+        let made = if let Some(stiff) = self.motion.stiff_step(from, (length, longest), &pace.tolerance) {
+            self.walker.effort.steps += 1;
+            Ok(stiff)
+        } else {
+            course::step(self, from, length, pace)
+        };
         match made {
             Ok((_, next)) => self.walker.length = next,
             Err(_) => self.arrive(from.0, self.elapsed),

@@ -62,16 +62,16 @@ impl Sliding {
     /// The same where supports of several planes leave a slip less freedom to turn, or none: then nothing turns it back.
     fn turned_back_apart(&self, y: &Vector, rate: &Vector, slip: &Slowing) -> f64 {
         let size = SLIP_TURN * slip.speed;
-        let (velocity, spin) = self.admissible(y, slip.aside * size, Vec3::ZERO);
-        let axes = self.moment(y).axes;
+        let now = self.moment(y);
+        let (velocity, spin) = self.admissible(&now, slip.aside * size);
         let arm = slip.from_foot + self.foot;
         let share = (velocity + spin.cross(arm)).dot(slip.aside) / size;
         if share < LEAST_FREEDOM {
             return 0.0;
         }
-        let then = self.rate(&self.changed(y, velocity, spin, axes));
+        let then = self.rate(&self.changed(y, velocity, spin, now.axes));
         let by = |k: usize| then[k] - rate[k];
-        let foot = axes[0] * by(9) + axes[1] * by(10);
+        let foot = now.axes[0] * by(9) + now.axes[1] * by(10);
         let change = foot + Vec3::new(by(4), by(5), by(6)).cross(slip.from_foot);
         slip.change - change.dot(slip.aside) / (SLIP_TURN * share)
     }
@@ -154,7 +154,7 @@ impl Sliding {
             let there = self.rate(&ahead);
             return NODES.map(|c| std::array::from_fn(|d| rate[d] + c * (there[d] - rate[d])));
         };
-        let resting = self.resting(y);
+        let resting = self.resting(&self.moment(y));
         // Friction is asked for where the slips have started: how fast does not matter.
         if self.apart {
             ahead = self.projected(&ahead, resting);

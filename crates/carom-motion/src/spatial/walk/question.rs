@@ -93,14 +93,13 @@ impl Walker<'_> {
         };
         let mut carries = Carries::default();
         for (k, i) in asked.iter().enumerate() {
-            let along = set.frame[k].transposed() * self.lead_of(chosen, k);
             match self.does(asked, chosen, k, slip[k] == [0.0; 2]) {
                 ContactMode::Open => {}
                 ContactMode::Sticks => carries.sticking = carries.sticking.with(i),
                 ContactMode::Slips => carries.slipping = carries.slipping.with(i),
                 ContactMode::Starts => {
                     carries.slipping = carries.slipping.with(i);
-                    carries.leads.push((i, along));
+                    carries.leads.push((i, set.frame[k].transposed() * self.lead_of(chosen, k)));
                 }
             }
         }

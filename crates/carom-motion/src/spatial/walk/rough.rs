@@ -177,7 +177,8 @@ impl Walker<'_> {
 
     /// Supports of several planes can no longer all do what they do: the rate problem says what follows, a moment later, when their cones are clearly left.
     ///
-    /// Where it finds nothing, or that the one support could stick if others took more than equal springs do, that one slips against its friction.
+    /// `which` is the one that has left its cone, where their forces are determined. Where the rate problem finds nothing, or that this one could stick, it slips
+    /// against its friction.
     pub(super) fn slips_apart(
         &mut self,
         which: Option<usize>,

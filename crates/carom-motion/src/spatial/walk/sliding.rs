@@ -7,7 +7,7 @@
 use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 pub(in crate::spatial) mod carriers;
 mod load;
-mod moment;
+pub(in crate::spatial) mod moment;
 mod projection;
 
 use self::carriers::{Carried, Carrier, carriers_of};
@@ -295,17 +295,7 @@ impl Motion for Sliding {
     fn posture(&self, y: &Vector, _: f64) -> Posture {
         let now = self.moment(y);
         let reactions = self.reactions(&now);
-        let turning = self.turning(&now, reactions.as_ref());
-        let along = |a: f64, b: f64| self.frame[0] * a + self.frame[1] * b;
-        let bent = match &reactions {
-            Some(reactions) if self.apart || self.planes.len() > 1 => {
-                let own = self.foot_acceleration(&now, reactions);
-                along(own.dot(now.axes[0]), own.dot(now.axes[1]))
-            }
-            _ => Vec3::ZERO,
-        };
-        let base = [along(y[7], y[8]), along(y[9], y[10]), bent];
-        Posture { turned: now.turned, up: now.axes[2], spin: now.spin, turning, from: self.foot, base }
+        self.posture_of(y, &now, reactions.as_ref())
     }
 
     fn state(&self, y: &Vector, _: f64) -> State {

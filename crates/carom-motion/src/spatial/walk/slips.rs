@@ -1,6 +1,7 @@
 //! The slips of a sliding body: how friction changes them, which is the slowest, how those that are zero start; and the forces.
 
 use super::sliding::carriers::Carrier;
+use super::sliding::moment::Moment;
 use super::sliding::{DIMENSIONS, Sliding, Slowing, Vector};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::grip::Bearing;
@@ -49,40 +50,38 @@ impl Sliding {
 
     /// How slips that are zero start, together, in units of no meaning: what is added to the motion.
     pub(super) fn starting(&self, y: &Vector) -> Option<Vector> {
+        let now = self.moment(y);
+        let resting = self.resting(&now);
         if self.apart {
-            return self.starting_apart(y);
+            return self.starting_apart(&now, resting);
         }
-        let (slip, yaw) = self.starting_on_one(y)?;
+        let (slip, yaw) = self.starting_on_one(&now, resting)?;
         let mut out = [0.0; DIMENSIONS];
         (out[9], out[10], out[12]) = (slip.dot(self.frame[0]), slip.dot(self.frame[1]), yaw);
         Some(out)
     }
 
     /// The supports whose slips are zero and start.
-    pub(super) fn resting(&self, y: &Vector) -> Supports {
-        let speeds = self.moment(y).speeds;
-        let starts = |(k, c): &(usize, &Carrier)| !c.sticks && speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
-        self.carriers.iter().enumerate().filter(starts).map(|(_, c)| c.support).collect()
+    pub(super) fn resting(&self, now: &Moment) -> Supports {
+        let starts = |(c, speed): &(&Carrier, &f64)| !c.sticks && **speed == 0.0 && c.lead != Vec3::ZERO;
+        self.carriers.iter().zip(&now.speeds).filter(starts).map(|(c, _)| c.support).collect()
     }
 
     /// On several planes: the least motion in which the slips have their directions.
-    fn starting_apart(&self, y: &Vector) -> Option<Vector> {
-        let resting = self.resting(y);
+    fn starting_apart(&self, now: &Moment, resting: Supports) -> Option<Vector> {
         if resting.is_empty() {
             return None;
         }
         let starts = |c: &Carrier| resting.contains(c.support);
         let drive = |b: &Bearing, k: usize| if starts(&self.carriers[k]) { -b.toward } else { Vec3::ZERO };
-        let bearings = self.bearings(y, resting, drive);
-        Some(self.moved(&[0.0; DIMENSIONS], &bearings, self.moment(y).axes))
+        let bearings = self.bearings(now, resting, drive);
+        Some(self.moved(&[0.0; DIMENSIONS], &bearings, now.axes))
     }
 
     /// On one plane: the foot's slip, world axes, and the turn about the normal that goes with it.
-    fn starting_on_one(&self, y: &Vector) -> Option<(Vec3, f64)> {
-        let now = self.moment(y);
-        let rests = |(k, c): &(usize, &Carrier)| !c.sticks && now.speeds[*k] == 0.0 && c.lead != Vec3::ZERO;
+    fn starting_on_one(&self, now: &Moment, resting: Supports) -> Option<(Vec3, f64)> {
         let (mut own, mut other) = (None, None);
-        for (_, c) in self.carriers.iter().enumerate().filter(rests) {
+        for c in self.carriers.iter().filter(|c| resting.contains(c.support)) {
             if c.arm == self.foot { own = Some(*c) } else { other = Some(*c) }
         }
         let up = now.axes[2];

@@ -9,12 +9,16 @@ use crate::tolerance::WEIGHTLESS;
 impl Sliding {
     /// Marks the carriers that carry nothing where the stretch starts.
     pub(super) fn note_idle(&mut self, first: &Vector) {
-        let Some(reactions) = self.reactions(&self.moment(first)).filter(|_| self.apart) else { return };
+        if !self.apart {
+            return;
+        }
+        let now = self.moment(first);
+        let Some(reactions) = self.reactions(&now) else { return };
         let nothing = WEIGHTLESS * self.body.mass() * self.gravity.norm();
         for (c, normal) in self.carriers.iter_mut().zip(reactions.normals) {
             c.spare = if normal.abs() <= nothing { nothing } else { 0.0 };
         }
-        self.redundant = !balanced(&self.loaded(&self.moment(first))).is_empty();
+        self.redundant = !balanced(&self.loaded(&now)).is_empty();
     }
 
     /// The carriers that carry something.

@@ -1,6 +1,7 @@
 //! A sliding body at one instant: what each support does, and how the body answers.
 
 use super::{Sliding, Vector};
+use crate::spatial::geometry::posture::Posture;
 use crate::spatial::modes::grip::{Bearing, Grip, Reactions};
 use carom_num::{Rotation, Vec3};
 
@@ -59,6 +60,18 @@ impl Sliding {
 
     pub(super) fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {
         now.free + reactions.map_or(Vec3::ZERO, |r| self.body.mobility() * r.moment)
+    }
+
+    /// The instant as the search of events sees it.
+    pub(super) fn posture_of(&self, y: &Vector, now: &Moment, reactions: Option<&Reactions>) -> Posture {
+        let along = |a: f64, b: f64| self.frame[0] * a + self.frame[1] * b;
+        // No height over the foot's own plane changes with it.
+        let bent = reactions.filter(|_| self.planes.len() > 1).map_or(Vec3::ZERO, |reactions| {
+            let own = self.foot_acceleration(now, reactions);
+            along(own.dot(now.axes[0]), own.dot(now.axes[1]))
+        });
+        let (turning, base) = (self.turning(now, reactions), [along(y[7], y[8]), along(y[9], y[10]), bent]);
+        Posture { turned: now.turned, up: now.axes[2], spin: now.spin, turning, from: self.foot, base }
     }
 
     /// Acceleration of the foot, body axes: none where it sticks.

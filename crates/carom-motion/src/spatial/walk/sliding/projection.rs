@@ -1,6 +1,9 @@
 //! What keeps a body on several planes: the least motion, by the body's own mass, that takes back what the integration has let drift.
 
+use super::carriers::Carrier;
+use super::moment::Moment;
 use super::{Sliding, Vector};
+use crate::spatial::geometry::posture::Upright;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::grip::{Bearing, Grip};
 use carom_num::{Rotation, Vec3};
@@ -10,25 +13,23 @@ impl Sliding {
     pub(in crate::spatial) fn projected(&self, y: &Vector, stopped: Supports) -> Vector {
         let placed = self.placed(y);
         let now = self.moment(&placed);
-        let drive = |b: &Bearing, _: usize| self.velocity(&placed, b.arm);
-        self.moved(&placed, &self.bearings(&placed, stopped, drive), now.axes)
+        let slip = now.axes[0] * placed[9] + now.axes[1] * placed[10];
+        let drive = |b: &Bearing, _: usize| slip + now.spin.cross(b.arm - self.foot);
+        self.moved(&placed, &self.bearings(&now, stopped, drive), now.axes)
     }
 
     /// The same, with the heights taken back.
     fn placed(&self, y: &Vector) -> Vector {
-        let at = super::Motion::posture(self, y, 0.0);
-        let height = |b: &Bearing, k: usize| {
-            let upright =
-                super::Upright { normal: self.carriers[k].frame[2], then: self.carriers[k].then[2] };
-            b.up() * at.height(&upright, b.arm, 0.0).value
-        };
-        let mut bearings = self.bearings(y, Supports::NONE, height);
-        bearings.iter_mut().for_each(|b| b.sticks = false);
-        let grip = Grip { body: &self.body, bearings: &bearings };
-        let Some(shift) = grip.corrections() else { return *y };
-        let turn = self.body.mobility() * shift.moment;
-        let gone = shift.force / self.body.mass() + turn.cross(self.foot);
         let now = self.moment(y);
+        let at = self.posture_of(y, &now, None);
+        let height = |b: &Bearing, k: usize| {
+            let Carrier { frame, then, .. } = self.carriers[k];
+            b.up() * at.height(&Upright { normal: frame[2], then: then[2] }, b.arm, 0.0).value
+        };
+        let mut bearings = self.bearings(&now, Supports::NONE, height);
+        bearings.iter_mut().for_each(|b| b.sticks = false);
+        let Some((moved, turn)) = self.answered(&bearings) else { return *y };
+        let gone = moved + turn.cross(self.foot);
         let turned = now.turned.after(Rotation::by(turn));
         let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
         let mut out = *y;
@@ -41,31 +42,26 @@ impl Sliding {
     /// The carriers without friction, and what they have to take away.
     pub(in crate::spatial) fn bearings(
         &self,
-        y: &Vector,
+        now: &Moment,
         stopped: Supports,
         drive: impl Fn(&Bearing, usize) -> Vec3,
     ) -> Vec<Bearing> {
-        let mut bearings = self.moment(y).bearings;
-        for (k, c) in self.carriers.iter().enumerate() {
+        let of = |(k, (b, c)): (usize, (&Bearing, &Carrier))| {
             let sticks = c.sticks || stopped.contains(c.support);
-            let drive = drive(&bearings[k], k);
-            bearings[k] = Bearing { sticks, friction: 0.0, drive, ..bearings[k] };
-        }
-        bearings
+            Bearing { sticks, friction: 0.0, drive: drive(b, k), ..*b }
+        };
+        now.bearings.iter().zip(&self.carriers).enumerate().map(of).collect()
     }
 
-    /// Velocity of a point, body axes.
-    fn velocity(&self, y: &Vector, arm: Vec3) -> Vec3 {
-        let now = self.moment(y);
-        now.axes[0] * y[9] + now.axes[1] * y[10] + now.spin.cross(arm - self.foot)
+    /// How the mass centre and the body answer impulses that take the drives away: velocity and spin, body axes.
+    fn answered(&self, bearings: &[Bearing]) -> Option<(Vec3, Vec3)> {
+        let push = Grip { body: &self.body, bearings }.corrections()?;
+        Some((push.force / self.body.mass(), self.body.mobility() * push.moment))
     }
 
     /// The motion after impulses that take the drives away.
     pub(in crate::spatial) fn moved(&self, y: &Vector, bearings: &[Bearing], axes: [Vec3; 3]) -> Vector {
-        let grip = Grip { body: &self.body, bearings };
-        let Some(push) = grip.corrections() else { return *y };
-        let spin = self.body.mobility() * push.moment;
-        self.changed(y, push.force / self.body.mass(), spin, axes)
+        self.answered(bearings).map_or(*y, |(velocity, spin)| self.changed(y, velocity, spin, axes))
     }
 
     /// The motion with another velocity of the mass centre and another spin, body axes: by so much.
@@ -97,16 +93,12 @@ impl Sliding {
             let d = b.arm - self.foot;
             own + turning.cross(d) + now.spin.cross(now.spin.cross(d))
         };
-        self.moved(rate, &self.bearings(y, resting, drive), now.axes)
+        self.moved(rate, &self.bearings(&now, resting, drive), now.axes)
     }
 
-    /// What a change of the motion leaves of itself where no support may leave its plane, and none that sticks may move.
-    pub(in crate::spatial) fn admissible(&self, y: &Vector, velocity: Vec3, spin: Vec3) -> (Vec3, Vec3) {
-        let drive = |b: &Bearing, _: usize| velocity + spin.cross(b.arm);
-        let bearings = self.bearings(y, Supports::NONE, drive);
-        let grip = Grip { body: &self.body, bearings: &bearings };
-        grip.corrections().map_or((Vec3::ZERO, Vec3::ZERO), |push| {
-            (velocity + push.force / self.body.mass(), spin + self.body.mobility() * push.moment)
-        })
+    /// What a shift of the whole body leaves of itself, velocity and spin, where no support may leave its plane, and none that sticks may move.
+    pub(in crate::spatial) fn admissible(&self, now: &Moment, velocity: Vec3) -> (Vec3, Vec3) {
+        let bearings = self.bearings(now, Supports::NONE, |_, _| velocity);
+        self.answered(&bearings).map_or((Vec3::ZERO, Vec3::ZERO), |(v, w)| (velocity + v, w))
     }
 }
