@@ -56,6 +56,9 @@ pub enum MotionError {
         /// How fast [m/s].
         speed: f64,
     },
+    /// A rounded body rolls, and the world has no friction that says which way.
+    #[error("a body with rounded supports rolls: the world needs friction (0 is allowed)")]
+    Rolls,
     /// A rod without thickness among bent obstacles without one: two such lines do not tell on which side of each other they are. Give one of them a
     /// thickness, as small as it may be.
     #[error("body {body} and the bent obstacle {obstacle} are both without thickness")]

@@ -22,6 +22,7 @@ mod polyhedra_thrown;
 mod rebound_series;
 mod rests;
 mod rocking;
+mod spatial_balls;
 mod spatial_corners;
 mod spatial_ends;
 mod spatial_planar;

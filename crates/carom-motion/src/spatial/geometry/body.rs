@@ -1,4 +1,4 @@
-//! A rigid body that stands on points of its own.
+//! A rigid body that stands on points of its own, sharp or rounded.
 
 use super::supports::Supports;
 use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE};
@@ -25,6 +25,7 @@ pub struct Body {
     inertia: Mat3,
     mobility: Mat3,
     supports: Vec<Vec3>,
+    radius: f64,
     reach: f64,
 }
 
@@ -59,6 +60,12 @@ pub enum BodyProblem {
     /// The only support is the mass centre: no length scales the motion.
     #[error("the only support is the mass centre")]
     Central,
+    /// A radius that rounds nothing.
+    #[error("the radius of the supports is {radius} m: allowed is finite and >= 0")]
+    Radius {
+        /// What it is \[m\].
+        radius: f64,
+    },
     /// Two supports in one place.
     #[error("supports {first} and {second} are {distance} m apart: they must be two points")]
     Together {
@@ -89,6 +96,32 @@ impl Body {
     /// assert_eq!(Body::new(0.0, Mat3::IDENTITY, vec![]).unwrap_err().len(), 2);
     /// ```
     pub fn new(mass: f64, inertia: Mat3, supports: Vec<Vec3>) -> Result<Self, Vec<BodyProblem>> {
+        Self::rounded(mass, inertia, supports, 0.0)
+    }
+
+    /// A body of which every support is a ball of a radius \[m\] about its point: a ball has one support in its mass centre, a capsule two, a box with rounded edges the eight
+    /// corners of the smaller box inside. Between fixed planes these balls are all that touches. The inertia is that of the whole body, as given.
+    ///
+    /// # Errors
+    /// All problems.
+    ///
+    /// # Example
+    /// A ball of 0.1 m and 2 kg: `J = 2/5 m ρ²`.
+    /// ```
+    /// use carom_motion::spatial::{Body, BodyProblem};
+    /// use carom_num::{Mat3, Vec3};
+    /// let moment = 0.4 * 2.0 * 0.01;
+    /// let ball = |radius| Body::rounded(2.0, Mat3::diagonal(moment, moment, moment), vec![Vec3::ZERO], radius);
+    /// assert_eq!(ball(0.1).unwrap().reach(), 0.1);
+    /// assert_eq!(ball(0.0).unwrap_err(), [BodyProblem::Central]);
+    /// assert_eq!(ball(-1.0).unwrap_err(), [BodyProblem::Radius { radius: -1.0 }]);
+    /// ```
+    pub fn rounded(
+        mass: f64,
+        inertia: Mat3,
+        supports: Vec<Vec3>,
+        radius: f64,
+    ) -> Result<Self, Vec<BodyProblem>> {
         let mut problems = vec![];
         let still = RigidBody { mass, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
         problems.extend(still.check().err().map(BodyProblem::Mass));
@@ -97,7 +130,10 @@ impl Body {
         }
         let lost = supports.iter().enumerate().filter(|(_, r)| !r.is_finite());
         problems.extend(lost.map(|(support, _)| BodyProblem::NotFinite { support }));
-        let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max);
+        if !(radius >= 0.0 && radius.is_finite()) {
+            problems.push(BodyProblem::Radius { radius });
+        }
+        let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max) + radius;
         for (second, b) in supports.iter().enumerate() {
             for (first, a) in supports.iter().enumerate().take(second) {
                 let distance = (*a - *b).norm();
@@ -111,7 +147,7 @@ impl Body {
         }
         let mobility = inertia.inverse();
         match mobility {
-            Some(mobility) if problems.is_empty() => Ok(Self { mass, inertia, mobility, supports, reach }),
+            Some(mobility) if problems.is_empty() => Ok(Self { mass, inertia, mobility, supports, radius, reach }),
             _ => Err(problems),
         }
     }
@@ -120,7 +156,7 @@ impl Body {
     pub(in crate::spatial) fn of_principal(mass: f64, [a, b, c]: [f64; 3], supports: Vec<Vec3>) -> Self {
         let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max);
         let mobility = Mat3::diagonal(1.0 / a, 1.0 / b, 1.0 / c);
-        Self { mass, inertia: Mat3::diagonal(a, b, c), mobility, supports, reach }
+        Self { mass, inertia: Mat3::diagonal(a, b, c), mobility, supports, radius: 0.0, reach }
     }
 
     /// Mass \[kg\].
@@ -138,12 +174,17 @@ impl Body {
         self.mobility
     }
 
-    /// Supports from the mass centre, body axes \[m\].
+    /// Supports from the mass centre, body axes \[m\]; of a rounded body the centres of their balls.
     pub fn supports(&self) -> &[Vec3] {
         &self.supports
     }
 
-    /// Distance of the farthest support from the mass centre \[m\].
+    /// Radius of the balls about its supports; zero where they are sharp \[m\].
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Distance of the farthest point of a support from the mass centre \[m\].
     ///
     /// # Example
     /// The farther of two supports counts.

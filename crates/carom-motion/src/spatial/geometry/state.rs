@@ -42,7 +42,8 @@ impl State {
     /// assert_eq!((state.centre, state.velocity), (Vec3::Z * 2.0, Vec3::Y * -2.0));
     /// ```
     pub fn standing(body: &Body, support: usize, attitude: Rotation, spin: Vec3) -> Self {
-        let arm = body.supports().get(support).copied().unwrap_or(Vec3::ZERO);
+        let point = body.supports().get(support).copied().unwrap_or(Vec3::ZERO);
+        let arm = point - attitude.undo(Vec3::Z) * body.radius();
         Self { centre: -attitude.apply(arm), attitude, velocity: attitude.apply(arm.cross(spin)), spin }
     }
 
@@ -127,9 +128,9 @@ impl State {
 
 /// The height of a support over its plane, from a foot that stands on the same plane if there is one: then a body that is almost flat keeps its digits.
 pub(in crate::spatial) fn measured(world: &World, state: &State, foot: Option<usize>, support: usize) -> f64 {
-    let Support { arm, plane } = world.support(support);
+    let Support { point, radius, plane } = world.support(support);
     match foot.filter(|foot| world.plane_of(*foot) == world.plane_of(support)) {
-        Some(foot) => state.attitude.undo(plane.normal()).dot(arm - world.arm(foot)),
-        None => plane.height(state.place(arm)),
+        Some(foot) => state.attitude.undo(plane.normal()).dot(point - world.point(foot)),
+        None => plane.height(state.place(point)) - radius,
     }
 }

@@ -4,7 +4,7 @@ use super::body::Body;
 use super::friction::{Friction, FrictionProblem};
 use super::plane::Plane;
 use super::supports::Supports;
-use carom_num::Vec3;
+use carom_num::{Rotation, Vec3};
 use thiserror::Error;
 
 /// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal; or among several planes ([`World::among`]).
@@ -65,9 +65,18 @@ pub enum PlanesProblem {
 /// A support: a point of the body, and the plane that it may touch.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::spatial) struct Support<'w> {
-    /// From the mass centre, body axes \[m\].
-    pub(in crate::spatial) arm: Vec3,
+    /// From the mass centre, body axes \[m\]: where the ball about it has its centre.
+    pub(in crate::spatial) point: Vec3,
+    /// The ball's radius, zero of a sharp support \[m\].
+    pub(in crate::spatial) radius: f64,
     pub(in crate::spatial) plane: &'w Plane,
+}
+
+impl Support<'_> {
+    /// Where it touches, from the mass centre, where the normal of its plane is `up`, all in body axes. The ball rolls: this place moves along the body.
+    pub(in crate::spatial) fn arm(&self, up: Vec3) -> Vec3 {
+        self.point - up * self.radius
+    }
 }
 
 /// Gravity that no motion can be scaled by.
@@ -192,12 +201,22 @@ impl World {
     /// A support by its number.
     pub(in crate::spatial) fn support(&self, number: usize) -> Support<'_> {
         let points = self.body.supports();
-        Support { arm: points[number % points.len()], plane: &self.planes[number / points.len()] }
+        Support {
+            point: points[number % points.len()],
+            radius: self.body.radius(),
+            plane: &self.planes[number / points.len()],
+        }
     }
 
     /// Its point, from the mass centre, body axes \[m\].
-    pub(in crate::spatial) fn arm(&self, number: usize) -> Vec3 {
-        self.support(number).arm
+    pub(in crate::spatial) fn point(&self, number: usize) -> Vec3 {
+        self.support(number).point
+    }
+
+    /// Where it touches its plane, from the mass centre, body axes \[m\].
+    pub(in crate::spatial) fn arm(&self, number: usize, attitude: Rotation) -> Vec3 {
+        let support = self.support(number);
+        support.arm(attitude.undo(support.plane.normal()))
     }
 
     /// The normal of its plane, world axes.

@@ -67,11 +67,11 @@ impl Bounds {
     pub(in crate::spatial) fn bend(
         &self,
         spin: Vec3,
-        Support { arm, plane }: &Support<'_>,
+        Support { point, plane, .. }: &Support<'_>,
         length: f64,
     ) -> f64 {
         let most = self.spin.min(spin.norm() + self.turning(self.spin) * length);
-        let d = *arm - self.from;
+        let d = *point - self.from;
         let reach = self.along.map_or(d, |u| d - u * d.dot(u)).norm();
         self.fall.dot(plane.normal()).abs() + reach * (self.turning(most) + most * most)
     }

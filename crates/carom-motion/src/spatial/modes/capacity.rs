@@ -27,7 +27,7 @@ impl Capacity {
     pub(in crate::spatial) fn of(world: &World, held: Supports, attitude: Rotation) -> Option<Self> {
         let friction = world.friction()?;
         let bearing = |i: usize| Bearing {
-            arm: world.arm(i),
+            arm: world.arm(i, attitude),
             axes: world.support(i).plane.axes().map(|axis| attitude.undo(axis)),
             friction: friction.coefficient(i),
             sticks: true,

@@ -70,8 +70,8 @@ impl Question<'_> {
         let (body, State { attitude, spin, .. }) = (self.world.body(), *self.state);
         let turning = body.mobility() * -spin.cross(body.inertia() * spin);
         let accelerations = self.asked.iter().map(|i| {
-            let arm = self.world.arm(i);
-            self.world.gravity() + attitude.apply(turning.cross(arm) + spin.cross(spin.cross(arm)))
+            let (arm, point) = (self.world.arm(i, attitude), self.world.point(i));
+            self.world.gravity() + attitude.apply(turning.cross(arm) + spin.cross(spin.cross(point)))
         });
         self.ask(Some(&accelerations.collect::<Vec<_>>()))
     }
@@ -87,7 +87,7 @@ impl Question<'_> {
     fn ask_sized<const N: usize>(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, MotionError> {
         let (body, state) = (self.world.body(), self.state);
         let touch = |i: usize| Touch {
-            arm: state.attitude.apply(self.world.arm(i)),
+            arm: state.attitude.apply(self.world.arm(i, state.attitude)),
             normal: self.world.normal(i),
             friction: 0.0,
             restitution: 0.0,

@@ -44,7 +44,7 @@ pub fn frictional_contacts<const N: usize>(
     let slips = slips_on_planes(world, before, touching, size);
     for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
         let normal = world.normal(i);
-        let fall = if held.contains(i) { 0.0 } else { normal.dot(before.velocity_of(world.arm(i))) };
+        let fall = if held.contains(i) { 0.0 } else { normal.dot(before.velocity_of(world.arm(i, before.attitude))) };
         set.velocity[k] = Vec3 { z: fall, ..set.frame[k] * slip };
     }
     Ok(set)
@@ -57,7 +57,7 @@ pub(in crate::spatial) fn contacts_of<const N: usize>(
     asked: Supports,
 ) -> Result<ContactSet<N>, ImpactError> {
     let touch = |i: usize| Touch {
-        arm: state.attitude.apply(world.arm(i)),
+        arm: state.attitude.apply(world.arm(i, state.attitude)),
         normal: world.normal(i),
         friction: world.friction().map_or(0.0, |f| f.coefficient(i)),
         restitution: world.friction().map_or(0.0, Friction::restitution),
@@ -77,8 +77,8 @@ fn slips_on_planes(world: &World, state: &State, touching: Supports, size: f64) 
     let mut slips = vec![];
     for (number, plane) in world.planes().iter().enumerate() {
         let own = touching.common(world.of_plane(number));
-        let slip = |i: usize| plane.along(state.velocity_of(world.arm(i)));
-        let place = |i: usize| plane.along(state.attitude.apply(world.arm(i)));
+        let slip = |i: usize| plane.along(state.velocity_of(world.arm(i, state.attitude)));
+        let place = |i: usize| plane.along(state.attitude.apply(world.point(i)));
         let slowest = own.iter().min_by(|a, b| slip(*a).norm().total_cmp(&slip(*b).norm()));
         let Some(base) = slowest else { continue };
         let (of_base, turn) = (rounded(slip(base)), plane.normal() * plane.normal().dot(spin));

@@ -43,9 +43,9 @@ pub enum Mode {
         /// Which ones.
         held: Supports,
     },
-    /// Supports slide along their planes.
+    /// Supports slide along their planes, or balls roll on them.
     Slides {
-        /// Those that rest, which the body turns about, or none.
+        /// Those whose places on the planes do not slip, which the body turns about, or none.
         sticking: Supports,
         /// Those that slide and carry the body.
         slipping: Supports,
@@ -60,7 +60,23 @@ fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
 impl Mode {
     /// What a body does while the points of these supports, and no others, stay where they are.
     pub(in crate::spatial) fn holding(world: &World, held: Supports) -> Self {
-        let place = |i: usize| world.arm(i);
+        Self::holding_at(world, held, |i| world.point(i))
+    }
+
+    /// What a body does of which these supports stick where they touch. Balls about one point or two roll.
+    pub(in crate::spatial) fn sticking(world: &World, held: Supports, attitude: Rotation) -> Self {
+        if world.body().radius() == 0.0 {
+            return Self::holding(world, held);
+        }
+        match Self::holding_at(world, held, |i| world.arm(i, attitude)) {
+            Self::Pivot { .. } | Self::Edge { .. } => {
+                Self::Slides { sticking: held, slipping: Supports::NONE }
+            }
+            mode => mode,
+        }
+    }
+
+    fn holding_at(world: &World, held: Supports, place: impl Fn(usize) -> Vec3) -> Self {
         let Some(first) = held.iter().next() else { return Self::Flight };
         let distance = |i: usize, j: usize| (place(i) - place(j)).norm();
         // The ends of a line are a support farthest from any, and the one farthest from that.
@@ -99,12 +115,13 @@ impl Mode {
     /// The supports whose points stay where they are: those of other planes, too, that they may not touch.
     pub(in crate::spatial) fn fixed(&self, world: &World) -> Supports {
         let near = ON_EDGE * world.body().reach();
-        let of = |on: &dyn Fn(Vec3) -> bool| (0..world.count()).filter(|i| on(world.arm(*i))).collect();
+        let of = |on: &dyn Fn(Vec3) -> bool| (0..world.count()).filter(|i| on(world.point(*i))).collect();
         match *self {
             Self::Flight => Supports::NONE,
+            Self::Slides { .. } if world.body().radius() > 0.0 => Supports::NONE,
             Self::Slides { sticking, .. } => Self::holding(world, sticking).fixed(world),
-            Self::Pivot { support, .. } => of(&|arm| (arm - world.arm(support)).norm() <= near),
-            Self::Edge { ends: [a, _], along, .. } => of(&|arm| off_line(arm, world.arm(a), along) <= near),
+            Self::Pivot { support, .. } => of(&|arm| (arm - world.point(support)).norm() <= near),
+            Self::Edge { ends: [a, _], along, .. } => of(&|arm| off_line(arm, world.point(a), along) <= near),
             Self::Rest { .. } => (0..world.count()).collect(),
         }
     }
@@ -135,13 +152,13 @@ fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
     let Mode::Rest { held } = mode else { return mode.held(world) };
     let (Some(first), Some(normal)) = (held.iter().next(), normal_of(world, held)) else { return held };
     let on =
-        |i: &usize| (world.arm(*i) - world.arm(first)).dot(normal).abs() <= ON_EDGE * world.body().reach();
+        |i: &usize| (world.point(*i) - world.point(first)).dot(normal).abs() <= ON_EDGE * world.body().reach();
     held.union(own.iter().filter(on).collect())
 }
 
 /// The unit normal of the plane through three or more supports.
 pub(in crate::spatial) fn normal_of(world: &World, held: Supports) -> Option<Vec3> {
-    let place = |i: usize| world.arm(i);
+    let place = |i: usize| world.point(i);
     let first = held.iter().next()?;
     let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
     let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();
@@ -196,10 +213,10 @@ impl Equations {
     /// `None` where the inertia about the foot has no inverse, by overflow.
     pub(in crate::spatial) fn of(world: &World, mode: Mode, start: Rotation) -> Option<Self> {
         let body = world.body();
-        let arm = mode.foot().map_or(Vec3::ZERO, |s| world.arm(s));
+        let arm = mode.foot().map_or(Vec3::ZERO, |s| world.point(s));
         let about = body.inertia_about(arm);
         let length = match mode {
-            Mode::Edge { ends: [a, b], .. } => (world.arm(b) - world.arm(a)).norm(),
+            Mode::Edge { ends: [a, b], .. } => (world.point(b) - world.point(a)).norm(),
             _ => 0.0,
         };
         Some(Self {

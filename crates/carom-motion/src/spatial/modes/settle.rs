@@ -23,7 +23,7 @@ fn wanted_normal(world: &World, mode: Mode, up: Vec3) -> Option<Vec3> {
 /// attitude that they have.
 pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> State {
     let Some(foot) = mode.foot() else { return *state };
-    let Support { arm, plane } = world.support(foot);
+    let Support { point, radius, plane } = world.support(foot);
     let up = state.attitude.undo(plane.normal());
     let wanted = wanted_normal(world, mode, up).filter(|_| world.is_of_one_plane(mode.held(world)));
     let turn = wanted.map_or(Vec3::ZERO, |normal| normal.cross(up));
@@ -39,7 +39,8 @@ pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> S
         Mode::Edge { along, .. } => along * along.dot(state.spin),
         _ => state.spin,
     };
-    let centre = plane.onto(state.place(arm)) - attitude.apply(arm);
+    let centre = plane.onto(state.place(point)) + plane.normal() * radius - attitude.apply(point);
+    let arm = world.arm(foot, attitude);
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
 }
 
@@ -48,7 +49,7 @@ pub(in crate::spatial) fn spin_on(world: &World, mode: Mode, state: &State) -> V
     let body = world.body();
     match mode {
         Mode::Edge { ends: [end, _], along, .. } => {
-            let arm = world.arm(end);
+            let arm = world.arm(end, state.attitude);
             let moved = arm.cross(state.attitude.undo(state.velocity)) * body.mass();
             let momentum = body.inertia() * state.spin - moved;
             along * (along.dot(momentum) / along.dot(body.inertia_about(arm) * along))
@@ -85,7 +86,7 @@ mod tests {
             let mode = Mode::holding(&world, kept);
             let after = settled(&world, mode, &state);
             for i in kept.iter() {
-                let height = after.place(world.arm(i)).z;
+                let height = after.place(world.point(i)).z;
                 assert!(height.abs() < 1e-15, "{i}: {height}");
             }
             let spin = if kept.len() == 2 { Vec3::Y * 0.2 } else { Vec3::ZERO };

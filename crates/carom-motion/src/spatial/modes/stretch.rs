@@ -44,8 +44,8 @@ impl Stretch {
         let (place, velocity) = if mode == Mode::Flight {
             (state.centre, state.velocity)
         } else {
-            let foot = state.place(equations.arm());
-            (world.support(mode.foot().unwrap_or(0)).plane.onto(foot), Vec3::ZERO)
+            let foot = world.support(mode.foot().unwrap_or(0));
+            (foot.plane.onto(state.place(foot.point)) + foot.plane.normal() * foot.radius, Vec3::ZERO)
         };
         let (attitude, spin, gravity) = (state.attitude, state.spin, world.gravity());
         let planes = uprights(world, attitude);
@@ -77,7 +77,7 @@ impl Stretch {
 
     /// The height of a support at an instant.
     pub(in crate::spatial) fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
-        at.height(&self.planes[world.plane_of(support)], world.arm(support), self.heights[support])
+        at.height(&self.planes[world.plane_of(support)], world.point(support), self.heights[support])
     }
 
     /// The state at which so much time has passed.

@@ -89,9 +89,9 @@ impl Walker<'_> {
             match mode {
                 Mode::Edge { ends: [a, b], along, .. } => {
                     let (low, high) = (self.heights[a], self.heights[b]);
-                    let length = (world.arm(b) - world.arm(a)).norm();
+                    let length = (world.point(b) - world.point(a)).norm();
                     let sunk =
-                        |i: usize| low + (high - low) * (world.arm(i) - world.arm(a)).dot(along) / length;
+                        |i: usize| low + (high - low) * (world.point(i) - world.point(a)).dot(along) / length;
                     self.sink(a, sunk);
                 }
                 Mode::Pivot { support, .. } => {

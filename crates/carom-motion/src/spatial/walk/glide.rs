@@ -9,6 +9,7 @@ use crate::spatial::modes::mode::Mode;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::Piece;
 use crate::tolerance::STILL_ACCELERATION;
+use carom_num::Vec3;
 use carom_num::course::{self, Course, Lost, follow};
 
 impl Walker<'_> {
@@ -32,11 +33,7 @@ impl Walker<'_> {
         let stretch = Stretch::from(self.world, self.mode, &start, &self.heights).ok_or(not_finite)?;
         let first = stretch.first();
         let at = stretch.posture(&first, 0.0);
-        let time = self.scales.time;
-        if self.mode.foot().is_some()
-            && start.spin.norm() == 0.0
-            && at.turning.norm() * time * time <= STILL_ACCELERATION
-        {
+        if self.mode.foot().is_some() && start.spin.norm() == 0.0 && self.stays_still(at.turning) {
             return Ok(Stop::Still);
         }
         self.glide_along(Standing::of(self.world, stretch), first)
@@ -44,7 +41,19 @@ impl Walker<'_> {
 
     fn glide_sliding(&mut self) -> Result<Stop, MotionError> {
         let (sliding, first) = self.sliding()?;
+        let slips = matches!(self.mode, Mode::Slides { slipping, .. } if !slipping.is_empty());
+        if !slips
+            && self.state.spin.norm() * self.scales.length <= self.still()
+            && self.stays_still(sliding.posture(&first, 0.0).turning)
+        {
+            return Ok(Stop::Still);
+        }
         self.glide_along(sliding, first)
+    }
+
+    /// Such an angular acceleration of a body at rest is rounding.
+    fn stays_still(&self, turning: Vec3) -> bool {
+        turning.norm() * self.scales.time * self.scales.time <= STILL_ACCELERATION
     }
 
     fn glide_along<M: Motion>(&mut self, motion: M, first: M::Y) -> Result<Stop, MotionError> {

@@ -64,12 +64,12 @@ impl Sliding {
         let size = SLIP_TURN * slip.speed;
         let now = self.moment(y);
         let (velocity, spin) = self.admissible(&now, slip.aside * size);
-        let arm = slip.from_foot + self.foot;
+        let arm = slip.from_foot + now.foot;
         let share = (velocity + spin.cross(arm)).dot(slip.aside) / size;
         if share < LEAST_FREEDOM {
             return 0.0;
         }
-        let then = self.rate(&self.changed(y, velocity, spin, now.axes));
+        let then = self.rate(&self.changed(y, velocity, spin, &now));
         let by = |k: usize| then[k] - rate[k];
         let foot = now.axes[0] * by(9) + now.axes[1] * by(10);
         let change = foot + Vec3::new(by(4), by(5), by(6)).cross(slip.from_foot);

@@ -29,8 +29,8 @@ impl Walker<'_> {
         let turning = body.mobility() * -spin.cross(body.inertia() * spin);
         let gravity = self.state.attitude.undo(self.world.gravity());
         let of = |i: usize| {
-            let arm = self.world.arm(i);
-            gravity + turning.cross(arm) + spin.cross(spin.cross(arm))
+            let (arm, point) = (self.world.arm(i, self.state.attitude), self.world.point(i));
+            gravity + turning.cross(arm) + spin.cross(spin.cross(point))
         };
         asked.iter().map(of).collect()
     }

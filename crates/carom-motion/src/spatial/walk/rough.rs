@@ -80,7 +80,7 @@ impl Walker<'_> {
         let Carries { sticking, slipping, leads } = carries;
         self.leads = leads;
         self.mode = if slipping.is_empty() {
-            BodyMode::holding(self.world, sticking)
+            BodyMode::sticking(self.world, sticking, self.state.attitude)
         } else {
             BodyMode::Slides { sticking, slipping }
         };
@@ -128,7 +128,7 @@ impl Walker<'_> {
             // A slip that is no faster than the bounces has been stopped by the impulses of the bounces still to come.
             let sticks = slip.norm() <= SWEPT * rises;
             Bearing {
-                arm: self.world.arm(i),
+                arm: self.world.arm(i, state.attitude),
                 axes: self.world.support(i).plane.axes().map(|axis| state.attitude.undo(axis)),
                 friction: friction.coefficient(i),
                 sticks,
@@ -206,7 +206,7 @@ impl Walker<'_> {
             (None, Some(which)) => {
                 let world = self.world;
                 let alike =
-                    |i: &usize| world.arm(*i) == world.arm(which) && world.normal(*i) == world.normal(which);
+                    |i: &usize| world.point(*i) == world.point(which) && world.normal(*i) == world.normal(which);
                 let carries = self.slips_against(held.iter().filter(alike).collect())?;
                 self.enter(carries, held)
             }

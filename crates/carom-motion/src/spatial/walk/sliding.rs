@@ -60,6 +60,7 @@ pub(in crate::spatial) struct Sliding {
     heights: Heights,
     planes: Vec<Upright>,
     pub(super) carriers: Vec<Carrier>,
+    /// The foot, from the mass centre, body axes: of a rounded body the centre of its ball.
     pub(in crate::spatial) foot: Vec3,
     /// The foot's plane.
     plane: usize,
@@ -98,21 +99,22 @@ impl Sliding {
             return None;
         }
         let velocity = |arm: Vec3| state.velocity + state.attitude.apply(state.spin.cross(arm));
-        let speed = |i: &usize| velocity(world.arm(*i)).norm();
-        let slowest = || carried.slipping.iter().min_by(|a, b| speed(a).total_cmp(&speed(b)));
+        let speed = |i: usize| velocity(world.arm(i, state.attitude)).norm();
+        let slowest = || carried.slipping.iter().min_by(|a, b| speed(*a).total_cmp(&speed(*b)));
         let support = carried.sticking.iter().next().or_else(slowest)?;
-        let (foot, plane) = (world.arm(support), world.plane_of(support));
-        let carriers = carriers_of(world, carried, state, plane)?;
+        let (foot, plane) = (world.point(support), world.plane_of(support));
+        let carriers = carriers_of(world, carried, state, support)?;
         let speck = SLIP_SPECK * world.scales().speed;
-        let starts = |c: &Carrier| c.lead != Vec3::ZERO && velocity(c.arm).norm() <= speck;
+        let starts = |c: &Carrier| c.lead != Vec3::ZERO && speed(c.support) <= speck;
         let grown = carriers.iter().filter(|c| !c.sticks && !starts(c)).map(|c| c.support).collect();
         let starting = carriers.iter().filter(|c| starts(c)).map(|c| c.support).collect();
-        let resting: Vec<Vec3> = carriers.iter().filter(|c| c.sticks || starts(c)).map(|c| c.arm).collect();
+        let resting: Vec<&Carrier> = carriers.iter().filter(|c| c.sticks || starts(c)).collect();
+        let (foot_rests, several_rest) = (resting.iter().any(|c| c.is_foot), resting.len() > 1);
         let apart = !world.is_of_one_plane(bearing);
         let mode = Mode::holding(world, bearing);
         let edge = match mode {
             Mode::Edge { ends, .. } if !apart => {
-                let [a, b] = ends.map(|end| world.arm(end) - foot);
+                let [a, b] = ends.map(|end| world.point(end) - foot);
                 Some(if a.norm() > b.norm() { a } else { b })
             }
             _ => None,
@@ -132,7 +134,7 @@ impl Sliding {
             carriers,
             foot,
             plane,
-            place: world.planes()[plane].onto(state.place(foot)),
+            place: world.planes()[plane].onto(state.place(foot)) + frame[2] * body.radius(),
             frame,
             axes,
             apart,
@@ -144,9 +146,9 @@ impl Sliding {
             most: [0.0; 3],
         };
         let spin = state.spin;
-        let slip = if resting.contains(&foot) { Vec3::ZERO } else { velocity(foot) };
+        let slip = if foot_rests { Vec3::ZERO } else { velocity(world.arm(support, state.attitude)) };
         // Two points of a plane at rest: nothing turns about its normal.
-        let yaw = if resting.len() > 1 && !apart { 0.0 } else { spin.dot(axes[2]) };
+        let yaw = if several_rest && !apart { 0.0 } else { spin.dot(axes[2]) };
         let [x, y] = [0, 1].map(|k| slip.dot(frame[k]));
         let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, x, y, 0.0, yaw];
         let first = if apart { motion.projected(&first, starting) } else { motion.tidied(&first) };
@@ -162,12 +164,12 @@ impl Sliding {
             return self.projected(y, Supports::one(support));
         }
         let mut out = *y;
-        let arm = self.carriers.iter().find(|c| c.support == support).map_or(self.foot, |c| c.arm);
+        let point = self.carriers.iter().find(|c| c.support == support).map_or(self.foot, |c| c.point);
         if self.carriers.iter().any(|c| c.sticks) {
             out[12] = 0.0;
         } else {
             let [east, north, up] = self.moment(y).axes;
-            let slip = up.cross(self.foot - arm) * y[12];
+            let slip = up.cross(self.foot - point) * y[12];
             (out[9], out[10]) = (slip.dot(east), slip.dot(north));
         }
         out
@@ -201,7 +203,9 @@ impl Motion for Sliding {
         let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
         let [a, b, c, d] = turned.rate(now.spin);
         let Vec3 { x: p, y: q, z: r } = turning;
-        [a, b, c, d, p, q, r, y[9], y[10], foot.dot(east), foot.dot(north), power, turning.dot(up)]
+        let rolled = self.rolled(&now, now.spin);
+        let (way_east, way_north) = (y[9] + rolled.dot(east), y[10] + rolled.dot(north));
+        [a, b, c, d, p, q, r, way_east, way_north, foot.dot(east), foot.dot(north), power, turning.dot(up)]
     }
 
     fn tidied(&self, y: &Vector) -> Vector {
@@ -306,21 +310,21 @@ impl Motion for Sliding {
         State {
             centre: self.place + gone - attitude.apply(self.foot),
             attitude,
-            velocity: slip + attitude.apply(self.foot.cross(now.spin)),
+            velocity: slip + attitude.apply(now.foot.cross(now.spin)),
             spin: now.spin,
         }
     }
 
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
-        let (plane, arm, start) = (world.plane_of(support), world.arm(support), self.heights[support]);
+        let (plane, point, start) = (world.plane_of(support), world.point(support), self.heights[support]);
         if plane == self.plane {
             // The foot goes along it.
-            return Posture { base: [Vec3::ZERO; 3], ..*at }.height(&self.planes[plane], arm, start);
+            return Posture { base: [Vec3::ZERO; 3], ..*at }.height(&self.planes[plane], point, start);
         }
-        at.height(&self.planes[plane], arm, start)
+        at.height(&self.planes[plane], point, start)
     }
 
-    fn bend(&self, _: &Posture, Support { arm, plane }: &Support<'_>, _: f64) -> f64 {
+    fn bend(&self, _: &Posture, Support { point, plane, .. }: &Support<'_>, _: f64) -> f64 {
         let (times, more) = BETWEEN;
         let unit = self.scales.time;
         let turning = times * self.most[0] + more / (unit * unit);
@@ -330,7 +334,7 @@ impl Motion for Sliding {
         } else {
             times * self.most[2] + more * self.scales.length / (unit * unit)
         };
-        own + (*arm - self.foot).norm() * (turning + spin * spin)
+        own + (*point - self.foot).norm() * (turning + spin * spin)
     }
 
     fn smooth_events(&self) -> Vec<Event> {

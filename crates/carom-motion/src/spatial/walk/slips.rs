@@ -20,11 +20,11 @@ impl Sliding {
         let foot = self.foot;
         let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
         self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
-            let d = c.arm - foot;
+            let (arm, d) = (now.bearings[k].arm - now.foot, c.point - foot);
             let change = if c.level {
                 own + up.cross(d) * yaw_rate - d * (yaw * yaw)
             } else {
-                own + turning.cross(d) + now.spin.cross(now.spin.cross(d))
+                own + turning.cross(arm) + now.spin.cross(now.spin.cross(d))
             };
             let bearing = &now.bearings[k];
             Slowing {
@@ -34,7 +34,7 @@ impl Sliding {
                 friction: c.friction,
                 normal: normals[k],
                 aside: bearing.up().cross(bearing.toward),
-                from_foot: d,
+                from_foot: if c.level { d } else { arm },
             }
         })
     }
@@ -44,7 +44,7 @@ impl Sliding {
         let now = self.moment(y);
         let slips = self.carriers.iter().zip(now.speeds).filter(|(c, speed)| !c.sticks && *speed > 0.0);
         slips.fold([self.scales().speed; 2], |[own, others], (c, speed)| {
-            if c.arm == self.foot { [own.min(speed), others] } else { [own, others.min(speed)] }
+            if c.is_foot { [own.min(speed), others] } else { [own, others.min(speed)] }
         })
     }
 
@@ -75,14 +75,14 @@ impl Sliding {
         let starts = |c: &Carrier| resting.contains(c.support);
         let drive = |b: &Bearing, k: usize| if starts(&self.carriers[k]) { -b.toward } else { Vec3::ZERO };
         let bearings = self.bearings(now, resting, drive);
-        Some(self.moved(&[0.0; DIMENSIONS], &bearings, now.axes))
+        Some(self.moved(&[0.0; DIMENSIONS], &bearings, now))
     }
 
     /// On one plane: the foot's slip, world axes, and the turn about the normal that goes with it.
     fn starting_on_one(&self, now: &Moment, resting: Supports) -> Option<(Vec3, f64)> {
         let (mut own, mut other) = (None, None);
         for c in self.carriers.iter().filter(|c| resting.contains(c.support)) {
-            if c.arm == self.foot { own = Some(*c) } else { other = Some(*c) }
+            if c.is_foot { own = Some(*c) } else { other = Some(*c) }
         }
         let up = now.axes[2];
         let into = |v: Vec3| now.axes[0] * v.dot(self.frame[0]) + now.axes[1] * v.dot(self.frame[1]);
@@ -90,7 +90,7 @@ impl Sliding {
             (None, None) => None,
             (Some(foot), None) => Some((foot.lead, 0.0)),
             (own, Some(end)) => {
-                let edge = end.arm - self.foot;
+                let edge = end.point - self.foot;
                 let along = edge.unit()?;
                 let (far, near) = (into(end.lead), own.map_or(Vec3::ZERO, |c| into(c.lead)));
                 let (there, here) = (along.dot(far), along.dot(near));

@@ -24,7 +24,7 @@ use std::ops::ControlFlow;
 impl Walker<'_> {
     /// Velocity of a support, world axes.
     pub(in crate::spatial) fn velocity_of(&self, support: usize) -> Vec3 {
-        self.state.velocity_of(self.world.arm(support))
+        self.state.velocity_of(self.world.arm(support, self.state.attitude))
     }
 
     /// How fast a support rises over its plane [m/s].
@@ -196,7 +196,7 @@ pub(in crate::spatial) fn pushed(state: &State, world: &World, pushes: &[(usize,
     for (support, impulse) in pushes {
         let own = state.attitude.undo(*impulse);
         push += *impulse;
-        moment += world.arm(*support).cross(own);
+        moment += world.arm(*support, state.attitude).cross(own);
     }
     State {
         velocity: state.velocity + push / body.mass(),

@@ -109,6 +109,9 @@ pub fn run(
     observer: &mut dyn Observer,
 ) -> Result<Run, MotionError> {
     options.check()?;
+    if world.body().radius() > 0.0 && world.friction().is_none() {
+        return Err(MotionError::Rolls);
+    }
     let mut walker = Walker::new(world, start, options, observer)?;
     let end = match walker.begin()? {
         Some(end) => end,
@@ -196,7 +199,7 @@ impl<'w> Walker<'w> {
     fn at_rest(&self) -> End {
         let held = self.mode.held(self.world);
         let touching = held.union(self.departing);
-        match Mode::holding(self.world, touching) {
+        match Mode::sticking(self.world, touching, self.state.attitude) {
             Mode::Rest { .. } => End::AtRest { held: spanned(self.world, touching) },
             _ => End::Balanced { held },
         }

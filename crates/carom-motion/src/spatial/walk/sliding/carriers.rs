@@ -9,7 +9,8 @@ use carom_num::Vec3;
 #[derive(Clone, Copy, Debug)]
 pub(in crate::spatial) struct Carrier {
     pub(in crate::spatial) support: usize,
-    pub(in crate::spatial) arm: Vec3,
+    /// From the mass centre, body axes: the centre of its ball.
+    pub(in crate::spatial) point: Vec3,
     pub(in crate::spatial) friction: f64,
     pub(in crate::spatial) sticks: bool,
     /// Where it starts to slip from rest: the direction, world axes.
@@ -21,6 +22,8 @@ pub(in crate::spatial) struct Carrier {
     pub(in crate::spatial) spare: f64,
     /// It is on the foot's plane.
     pub(in crate::spatial) level: bool,
+    /// Where it touches the body is where the foot does.
+    pub(in crate::spatial) is_foot: bool,
 }
 
 /// What carries a sliding body, and where slips that are zero start.
@@ -31,27 +34,29 @@ pub(in crate::spatial) struct Carried<'a> {
     pub(in crate::spatial) leads: &'a [(usize, Vec3)],
 }
 
-/// The carriers of a body whose foot is on a plane; `None` without friction.
+/// The carriers of a body with this foot; `None` without friction.
 pub(super) fn carriers_of(
     world: &World,
     carried: &Carried<'_>,
     state: &State,
-    foot_plane: usize,
+    foot: usize,
 ) -> Option<Vec<Carrier>> {
     let friction = world.friction()?;
     let lead = |i: usize| carried.leads.iter().find(|(k, _)| *k == i).map_or(Vec3::ZERO, |(_, e)| *e);
     let of = |support: usize| {
         let frame = world.support(support).plane.axes();
+        let (point, level) = (world.point(support), world.plane_of(support) == world.plane_of(foot));
         Carrier {
             support,
-            arm: world.arm(support),
+            point,
             friction: friction.coefficient(support),
             sticks: carried.sticking.contains(support),
             lead: lead(support),
             frame,
             then: frame.map(|axis| state.attitude.undo(axis)),
             spare: 0.0,
-            level: world.plane_of(support) == foot_plane,
+            level,
+            is_foot: point == world.point(foot) && (level || world.body().radius() == 0.0),
         }
     };
     Some(carried.sticking.union(carried.slipping).iter().map(of).collect())

@@ -11,6 +11,8 @@ pub(in crate::spatial) struct Moment {
     pub(in crate::spatial) spin: Vec3,
     /// The tangents and the normal of the foot's plane, body axes.
     pub(in crate::spatial) axes: [Vec3; 3],
+    /// Where the foot touches, from the mass centre, body axes.
+    pub(in crate::spatial) foot: Vec3,
     pub(in crate::spatial) bearings: Vec<Bearing>,
     /// Slip speeds \[m/s\].
     pub(in crate::spatial) speeds: Vec<f64>,
@@ -29,29 +31,32 @@ impl Sliding {
         let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
         let slip = east * y[9] + north * y[10];
+        let foot = self.foot - up * self.body.radius();
         let count = self.carriers.len();
         let (mut bearings, mut speeds) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for c in &self.carriers {
             let axes = if c.level { axes } else { c.then.map(|axis| turned.undo(axis)) };
             let bearing = Bearing { axes, ..Bearing::default() };
             // What touches the foot's plane lies in it: no other part of the spin moves it along.
-            let turn = if c.level { up * yaw } else { spin };
-            let own = bearing.along(slip + turn.cross(c.arm - self.foot));
+            let arm = c.point - axes[2] * self.body.radius();
+            let (turn, d) = if c.level { (up * yaw, c.point - self.foot) } else { (spin, arm - foot) };
+            let own = bearing.along(slip + turn.cross(d));
             let lead = axes[0] * c.frame[0].dot(c.lead) + axes[1] * c.frame[1].dot(c.lead);
             // On several planes a slip that is to start is never zero to the last digit.
             let own =
                 if self.apart && lead != Vec3::ZERO && own.norm() <= self.speck { Vec3::ZERO } else { own };
             speeds.push(own.norm());
             bearings.push(Bearing {
-                arm: c.arm,
+                arm,
                 axes,
                 friction: c.friction,
                 sticks: c.sticks,
                 toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
-                drive: gravity + free.cross(c.arm) + spin.cross(spin.cross(c.arm)),
+                // As a ball rolls, its place moves along the body by ρ ω × e: of ω × (ω × arm) that leaves the point's.
+                drive: gravity + free.cross(arm) + spin.cross(spin.cross(c.point)),
             });
         }
-        Moment { turned, spin, axes, bearings, speeds, free }
+        Moment { turned, spin, axes, foot, bearings, speeds, free }
     }
 
     pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
@@ -65,27 +70,31 @@ impl Sliding {
     /// The instant as the search of events sees it.
     pub(super) fn posture_of(&self, y: &Vector, now: &Moment, reactions: Option<&Reactions>) -> Posture {
         let along = |a: f64, b: f64| self.frame[0] * a + self.frame[1] * b;
+        let flat = |v: Vec3| along(v.dot(now.axes[0]), v.dot(now.axes[1]));
+        let turning = self.turning(now, reactions);
         // No height over the foot's own plane changes with it.
         let bent = reactions.filter(|_| self.planes.len() > 1).map_or(Vec3::ZERO, |reactions| {
-            let own = self.foot_acceleration(now, reactions);
-            along(own.dot(now.axes[0]), own.dot(now.axes[1]))
+            flat(self.foot_acceleration(now, reactions) + self.rolled(now, turning))
         });
-        let (turning, base) = (self.turning(now, reactions), [along(y[7], y[8]), along(y[9], y[10]), bent]);
+        let base = [along(y[7], y[8]), along(y[9], y[10]) + flat(self.rolled(now, now.spin)), bent];
         Posture { turned: now.turned, up: now.axes[2], spin: now.spin, turning, from: self.foot, base }
     }
 
-    /// Acceleration of the foot, body axes: none where it sticks.
-    pub(super) fn foot_acceleration(&self, now: &Moment, reactions: &Reactions) -> Vec3 {
-        let sticks = self.carriers.iter().any(|c| c.sticks);
-        if sticks { Vec3::ZERO } else { self.acceleration(now, reactions, self.foot) }
+    /// How fast the centre of the foot's ball moves before where it touches, body axes; with an angular acceleration, by how much faster.
+    pub(super) fn rolled(&self, now: &Moment, spin: Vec3) -> Vec3 {
+        spin.cross(now.axes[2] * self.body.radius())
     }
 
-    /// Acceleration of a point of the body, body axes.
-    pub(super) fn acceleration(&self, now: &Moment, reactions: &Reactions, arm: Vec3) -> Vec3 {
+    /// How fast the slip of the foot changes, body axes: not at all where it sticks.
+    pub(super) fn foot_acceleration(&self, now: &Moment, reactions: &Reactions) -> Vec3 {
+        let sticks = self.carriers.iter().any(|c| c.sticks);
+        if sticks {
+            return Vec3::ZERO;
+        }
         let [east, north, up] = now.axes;
         let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let turning = self.turning(now, Some(reactions));
-        let bent = turning.cross(arm) + now.spin.cross(now.spin.cross(arm));
+        let bent = turning.cross(now.foot) + now.spin.cross(now.spin.cross(self.foot));
         gravity + reactions.force / self.body.mass() + bent
     }
 }

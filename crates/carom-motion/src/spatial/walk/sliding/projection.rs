@@ -14,8 +14,8 @@ impl Sliding {
         let placed = self.placed(y);
         let now = self.moment(&placed);
         let slip = now.axes[0] * placed[9] + now.axes[1] * placed[10];
-        let drive = |b: &Bearing, _: usize| slip + now.spin.cross(b.arm - self.foot);
-        self.moved(&placed, &self.bearings(&now, stopped, drive), now.axes)
+        let drive = |b: &Bearing, _: usize| slip + now.spin.cross(b.arm - now.foot);
+        self.moved(&placed, &self.bearings(&now, stopped, drive), &now)
     }
 
     /// The same, with the heights taken back.
@@ -23,8 +23,8 @@ impl Sliding {
         let now = self.moment(y);
         let at = self.posture_of(y, &now, None);
         let height = |b: &Bearing, k: usize| {
-            let Carrier { frame, then, .. } = self.carriers[k];
-            b.up() * at.height(&Upright { normal: frame[2], then: then[2] }, b.arm, 0.0).value
+            let Carrier { point, frame, then, .. } = self.carriers[k];
+            b.up() * at.height(&Upright { normal: frame[2], then: then[2] }, point, 0.0).value
         };
         let mut bearings = self.bearings(&now, Supports::NONE, height);
         bearings.iter_mut().for_each(|b| b.sticks = false);
@@ -60,8 +60,8 @@ impl Sliding {
     }
 
     /// The motion after impulses that take the drives away.
-    pub(in crate::spatial) fn moved(&self, y: &Vector, bearings: &[Bearing], axes: [Vec3; 3]) -> Vector {
-        self.answered(bearings).map_or(*y, |(velocity, spin)| self.changed(y, velocity, spin, axes))
+    pub(in crate::spatial) fn moved(&self, y: &Vector, bearings: &[Bearing], now: &Moment) -> Vector {
+        self.answered(bearings).map_or(*y, |(velocity, spin)| self.changed(y, velocity, spin, now))
     }
 
     /// The motion with another velocity of the mass centre and another spin, body axes: by so much.
@@ -70,17 +70,17 @@ impl Sliding {
         y: &Vector,
         velocity: Vec3,
         spin: Vec3,
-        axes: [Vec3; 3],
+        now: &Moment,
     ) -> Vector {
-        let slip = velocity + spin.cross(self.foot);
+        let slip = velocity + spin.cross(now.foot);
         let mut out = *y;
         for (k, change) in [(4, spin.x), (5, spin.y), (6, spin.z)] {
             out[k] += change;
         }
-        for (k, axis) in [(9, axes[0]), (10, axes[1])] {
+        for (k, axis) in [(9, now.axes[0]), (10, now.axes[1])] {
             out[k] += slip.dot(axis);
         }
-        out[12] += spin.dot(axes[2]);
+        out[12] += spin.dot(now.axes[2]);
         out
     }
 
@@ -89,11 +89,11 @@ impl Sliding {
         let now = self.moment(y);
         let own = now.axes[0] * rate[9] + now.axes[1] * rate[10];
         let turning = Vec3::new(rate[4], rate[5], rate[6]);
-        let drive = |b: &Bearing, _: usize| {
-            let d = b.arm - self.foot;
-            own + turning.cross(d) + now.spin.cross(now.spin.cross(d))
+        let drive = |b: &Bearing, k: usize| {
+            let d = self.carriers[k].point - self.foot;
+            own + turning.cross(b.arm - now.foot) + now.spin.cross(now.spin.cross(d))
         };
-        self.moved(rate, &self.bearings(&now, resting, drive), now.axes)
+        self.moved(rate, &self.bearings(&now, resting, drive), &now)
     }
 
     /// What a shift of the whole body leaves of itself, velocity and spin, where no support may leave its plane, and none that sticks may move.
