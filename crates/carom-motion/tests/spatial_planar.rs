@@ -5,7 +5,7 @@
 use carom_impact::Law;
 use carom_impact::spatial::Conclusion;
 use carom_motion::planar::{self, Happening, Obstacle, Shape};
-use carom_motion::spatial::{self, Friction, Mode, Plane, Samples};
+use carom_motion::spatial::{self, Feature, Friction, Mode, Plane, Samples};
 use carom_num::{Mat3, Rotation, Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -121,7 +121,8 @@ fn in_space(drop: &Drop, most_time: f64) -> (spatial::Run, Samples) {
         corners.extend([Vec3::new(x, -width, z), Vec3::new(x, width, z)]);
     }
     let inertia = Mat3::diagonal(0.9 * drop.inertia, drop.inertia, 0.8 * drop.inertia);
-    let body = spatial::Body::rounded(1.0, inertia, corners, drop.radius).unwrap();
+    let features = corners.into_iter().map(|r| Feature::point(r).rounded(drop.radius)).collect();
+    let body = spatial::Body::of(1.0, inertia, features).unwrap();
     let friction = Friction::new(drop.friction).with_restitution(drop.restitution);
     let mut world = spatial::World::new(body, Vec3::Z * -G).unwrap().with_friction(friction).unwrap();
     if let Some(flanks) = drop.flanks {

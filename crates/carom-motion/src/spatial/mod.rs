@@ -15,6 +15,7 @@ mod walk;
 pub use record::observer;
 
 pub use geometry::body::{Body, BodyProblem};
+pub use geometry::feature::Feature;
 pub use geometry::friction::{Friction, FrictionProblem};
 pub use geometry::hull::HullProblem;
 pub use geometry::plane::{Plane, PlaneProblem};

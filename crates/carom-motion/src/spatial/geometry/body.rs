@@ -1,7 +1,8 @@
 //! A rigid body that stands on points of its own, sharp or rounded.
 
+use super::feature::Feature;
 use super::supports::Supports;
-use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE};
+use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE, UNIT_LENGTH};
 use carom_impact::ImpactError;
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::{acos, cos};
@@ -25,7 +26,8 @@ pub struct Body {
     inertia: Mat3,
     mobility: Mat3,
     supports: Vec<Vec3>,
-    radius: f64,
+    features: Vec<Feature>,
+    round: bool,
     reach: f64,
 }
 
@@ -60,11 +62,21 @@ pub enum BodyProblem {
     /// The only support is the mass centre: no length scales the motion.
     #[error("the only support is the mass centre")]
     Central,
-    /// A radius that rounds nothing.
-    #[error("the radius of the supports is {radius} m: allowed is finite and >= 0")]
+    /// A radius that no circle or ball has.
+    #[error("support {support} has a radius of {radius} m: allowed is finite and >= 0")]
     Radius {
+        /// Which one.
+        support: usize,
         /// What it is \[m\].
         radius: f64,
+    },
+    /// The axis of a circle is no unit vector.
+    #[error("the axis of support {support} has the length {length}: it must be 1")]
+    Axis {
+        /// Which one.
+        support: usize,
+        /// Its length.
+        length: f64,
     },
     /// Two supports in one place.
     #[error("supports {first} and {second} are {distance} m apart: they must be two points")]
@@ -96,11 +108,10 @@ impl Body {
     /// assert_eq!(Body::new(0.0, Mat3::IDENTITY, vec![]).unwrap_err().len(), 2);
     /// ```
     pub fn new(mass: f64, inertia: Mat3, supports: Vec<Vec3>) -> Result<Self, Vec<BodyProblem>> {
-        Self::rounded(mass, inertia, supports, 0.0)
+        Self::of(mass, inertia, supports.into_iter().map(Feature::point).collect())
     }
 
-    /// A body of which every support is a ball of a radius \[m\] about its point: a ball has one support in its mass centre, a capsule two, a box with rounded edges the eight
-    /// corners of the smaller box inside. Between fixed planes these balls are all that touches. The inertia is that of the whole body, as given.
+    /// A body that touches planes with these features of it: balls, circles, or points. The inertia is that of the whole body, as given.
     ///
     /// # Errors
     /// All problems.
@@ -108,46 +119,42 @@ impl Body {
     /// # Example
     /// A ball of 0.1 m and 2 kg: `J = 2/5 m ρ²`.
     /// ```
-    /// use carom_motion::spatial::{Body, BodyProblem};
+    /// use carom_motion::spatial::{Body, BodyProblem, Feature};
     /// use carom_num::{Mat3, Vec3};
     /// let moment = 0.4 * 2.0 * 0.01;
-    /// let ball = |radius| Body::rounded(2.0, Mat3::diagonal(moment, moment, moment), vec![Vec3::ZERO], radius);
+    /// let inertia = Mat3::diagonal(moment, moment, moment);
+    /// let ball = |radius| Body::of(2.0, inertia, vec![Feature::point(Vec3::ZERO).rounded(radius)]);
     /// assert_eq!(ball(0.1).unwrap().reach(), 0.1);
     /// assert_eq!(ball(0.0).unwrap_err(), [BodyProblem::Central]);
-    /// assert_eq!(ball(-1.0).unwrap_err(), [BodyProblem::Radius { radius: -1.0 }]);
+    /// assert_eq!(ball(-1.0).unwrap_err(), [BodyProblem::Radius { support: 0, radius: -1.0 }]);
     /// ```
-    pub fn rounded(
-        mass: f64,
-        inertia: Mat3,
-        supports: Vec<Vec3>,
-        radius: f64,
-    ) -> Result<Self, Vec<BodyProblem>> {
+    pub fn of(mass: f64, inertia: Mat3, features: Vec<Feature>) -> Result<Self, Vec<BodyProblem>> {
         let mut problems = vec![];
         let still = RigidBody { mass, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
         problems.extend(still.check().err().map(BodyProblem::Mass));
-        if supports.is_empty() || supports.len() > Supports::MOST {
-            problems.push(BodyProblem::Count { count: supports.len() });
+        if features.is_empty() || features.len() > Supports::MOST {
+            problems.push(BodyProblem::Count { count: features.len() });
         }
-        let lost = supports.iter().enumerate().filter(|(_, r)| !r.is_finite());
-        problems.extend(lost.map(|(support, _)| BodyProblem::NotFinite { support }));
-        if !(radius >= 0.0 && radius.is_finite()) {
-            problems.push(BodyProblem::Radius { radius });
-        }
-        let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max) + radius;
-        for (second, b) in supports.iter().enumerate() {
-            for (first, a) in supports.iter().enumerate().take(second) {
-                let distance = (*a - *b).norm();
-                if distance <= ONE_SUPPORT * reach {
+        problems.extend(features.iter().enumerate().flat_map(|(support, feature)| own_problems(support, feature)));
+        let reach = features.iter().map(Feature::reach).fold(0.0, f64::max);
+        for (second, b) in features.iter().enumerate() {
+            for (first, a) in features.iter().enumerate().take(second) {
+                let distance = (a.point - b.point).norm();
+                if distance <= ONE_SUPPORT * reach && a.is_like(b) {
                     problems.push(BodyProblem::Together { first, second, distance });
                 }
             }
         }
-        if reach == 0.0 && supports.len() == 1 {
+        if reach == 0.0 && features.len() == 1 {
             problems.push(BodyProblem::Central);
         }
         let mobility = inertia.inverse();
         match mobility {
-            Some(mobility) if problems.is_empty() => Ok(Self { mass, inertia, mobility, supports, radius, reach }),
+            Some(mobility) if problems.is_empty() => {
+                let supports = features.iter().map(Feature::centre).collect();
+                let round = !features.iter().all(Feature::is_sharp);
+                Ok(Self { mass, inertia, mobility, supports, features, round, reach })
+            },
             _ => Err(problems),
         }
     }
@@ -156,7 +163,8 @@ impl Body {
     pub(in crate::spatial) fn of_principal(mass: f64, [a, b, c]: [f64; 3], supports: Vec<Vec3>) -> Self {
         let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max);
         let mobility = Mat3::diagonal(1.0 / a, 1.0 / b, 1.0 / c);
-        Self { mass, inertia: Mat3::diagonal(a, b, c), mobility, supports, radius: 0.0, reach }
+        let features = supports.iter().copied().map(Feature::point).collect();
+        Self { mass, inertia: Mat3::diagonal(a, b, c), mobility, supports, features, round: false, reach }
     }
 
     /// Mass \[kg\].
@@ -174,14 +182,19 @@ impl Body {
         self.mobility
     }
 
-    /// Supports from the mass centre, body axes \[m\]; of a rounded body the centres of their balls.
+    /// Supports from the mass centre, body axes \[m\]; of circles and balls their centres.
     pub fn supports(&self) -> &[Vec3] {
         &self.supports
     }
 
-    /// Radius of the balls about its supports; zero where they are sharp \[m\].
-    pub fn radius(&self) -> f64 {
-        self.radius
+    /// What it touches planes with, in the order of its supports.
+    pub fn features(&self) -> &[Feature] {
+        &self.features
+    }
+
+    /// True where a place at which it touches may move along it: then it can roll.
+    pub fn is_round(&self) -> bool {
+        self.round
     }
 
     /// Distance of the farthest point of a support from the mass centre \[m\].
@@ -220,6 +233,21 @@ impl Body {
         let square = arm.dot(arm);
         self.inertia + (Mat3::diagonal(square, square, square) - Mat3::dyad(arm, arm)) * self.mass
     }
+}
+
+/// What is wrong with a feature by itself.
+fn own_problems(support: usize, feature: &Feature) -> Vec<BodyProblem> {
+    let mut problems = vec![];
+    if !feature.point.is_finite() {
+        problems.push(BodyProblem::NotFinite { support });
+    }
+    let lengths = [feature.circle, feature.radius].into_iter().filter(|r| !(*r >= 0.0 && r.is_finite()));
+    problems.extend(lengths.map(|radius| BodyProblem::Radius { support, radius }));
+    let length = feature.axis.norm();
+    if feature.circle != 0.0 && ((length - 1.0).abs() > UNIT_LENGTH || length.is_nan()) {
+        problems.push(BodyProblem::Axis { support, length });
+    }
+    problems
 }
 
 /// A lower bound of the least principal moment of a symmetric matrix, and an upper one of the largest.

@@ -1,7 +1,8 @@
 //! Bodies, the plane under them, and where they are.
 
 pub(in crate::spatial) mod body;
-pub(in crate::spatial) mod friction;
+pub(in crate::spatial) mod feature;
+pub(super) mod friction;
 pub(in crate::spatial) mod hull;
 pub(in crate::spatial) mod plane;
 pub(in crate::spatial) mod polyhedron;

@@ -3,6 +3,7 @@
 //! All in body axes, where the supports stay and the normal e of a plane turns: `ė = e × ω`. A stretch of motion starts with known heights, and an instant
 //! says how much they have risen since: so the height of a hop keeps its digits, however small it is beside the body.
 
+use super::feature::Feature;
 use carom_num::poly::first_root;
 use carom_num::{Rotation, Vec3};
 
@@ -12,6 +13,13 @@ pub(in crate::spatial) struct Height {
     pub(in crate::spatial) value: f64,
     pub(in crate::spatial) rate: f64,
     pub(in crate::spatial) second: f64,
+}
+
+/// A bound on the acceleration of a height \[m/s²\], and for how long it holds \[s\].
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Bend {
+    pub(in crate::spatial) most: f64,
+    pub(in crate::spatial) lasts: f64,
 }
 
 /// A body at one instant.
@@ -40,22 +48,27 @@ pub(in crate::spatial) struct Upright {
 }
 
 impl Posture {
-    /// The height over a plane of a point of the body that started at a height.
-    pub(in crate::spatial) fn height(&self, plane: &Upright, arm: Vec3, start: f64) -> Height {
+    /// The height over a plane of a feature of the body that started at a height.
+    pub(in crate::spatial) fn height(&self, plane: &Upright, feature: &Feature, start: f64) -> Height {
         let up = self.turned.undo(plane.then);
-        let d = arm - self.from;
+        let d = feature.point - self.from;
         let across = self.spin.cross(d);
         let bent = self.turning.cross(d) + self.spin.cross(across);
-        // What a rotation adds to a vector, without the vector itself.
-        let twice = self.turned.v.cross(d) * 2.0;
-        let moved = twice * self.turned.w + self.turned.v.cross(twice);
+        let moved = moved(self.turned, d);
         let [gone, rate, second] = self.base.map(|v| plane.normal.dot(v));
+        let sunk = feature.sunk(self.turned, [plane.then, up], [self.spin, self.turning]);
         Height {
-            value: start + (gone + plane.then.dot(moved)),
-            rate: rate + up.dot(across),
-            second: second + up.dot(bent),
+            value: start + (gone + plane.then.dot(moved) - sunk.value),
+            rate: rate + up.dot(across) - sunk.rate,
+            second: second + up.dot(bent) - sunk.second,
         }
     }
+}
+
+/// What a rotation adds to a vector, without the vector itself.
+pub(in crate::spatial) fn moved(turned: Rotation, d: Vec3) -> Vec3 {
+    let twice = turned.v.cross(d) * 2.0;
+    twice * turned.w + turned.v.cross(twice)
 }
 
 impl Height {

@@ -1,7 +1,7 @@
 //! Where a body is and how it moves.
 
 use super::body::Body;
-use super::world::{Support, World};
+use super::world::World;
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
@@ -42,8 +42,7 @@ impl State {
     /// assert_eq!((state.centre, state.velocity), (Vec3::Z * 2.0, Vec3::Y * -2.0));
     /// ```
     pub fn standing(body: &Body, support: usize, attitude: Rotation, spin: Vec3) -> Self {
-        let point = body.supports().get(support).copied().unwrap_or(Vec3::ZERO);
-        let arm = point - attitude.undo(Vec3::Z) * body.radius();
+        let arm = body.features().get(support).map_or(Vec3::ZERO, |f| f.arm(attitude.undo(Vec3::Z)));
         Self { centre: -attitude.apply(arm), attitude, velocity: attitude.apply(arm.cross(spin)), spin }
     }
 
@@ -128,9 +127,10 @@ impl State {
 
 /// The height of a support over its plane, from a foot that stands on the same plane if there is one: then a body that is almost flat keeps its digits.
 pub(in crate::spatial) fn measured(world: &World, state: &State, foot: Option<usize>, support: usize) -> f64 {
-    let Support { point, radius, plane } = world.support(support);
+    let arm = world.arm(support, state.attitude);
+    let plane = world.support(support).plane;
     match foot.filter(|foot| world.plane_of(*foot) == world.plane_of(support)) {
-        Some(foot) => state.attitude.undo(plane.normal()).dot(point - world.point(foot)),
-        None => plane.height(state.place(point)) - radius,
+        Some(foot) => state.attitude.undo(plane.normal()).dot(arm - world.arm(foot, state.attitude)),
+        None => plane.height(state.place(arm)),
     }
 }

@@ -1,9 +1,11 @@
 //! A body among fixed planes, and the world's own units.
 
 use super::body::Body;
+use super::feature::Feature;
 use super::friction::{Friction, FrictionProblem};
 use super::plane::Plane;
 use super::supports::Supports;
+use crate::tolerance::ON_EDGE;
 use carom_num::{Rotation, Vec3};
 use thiserror::Error;
 
@@ -62,21 +64,11 @@ pub enum PlanesProblem {
     Friction(FrictionProblem),
 }
 
-/// A support: a point of the body, and the plane that it may touch.
+/// A support: a feature of the body, and the plane that it may touch.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::spatial) struct Support<'w> {
-    /// From the mass centre, body axes \[m\]: where the ball about it has its centre.
-    pub(in crate::spatial) point: Vec3,
-    /// The ball's radius, zero of a sharp support \[m\].
-    pub(in crate::spatial) radius: f64,
+    pub(in crate::spatial) feature: &'w Feature,
     pub(in crate::spatial) plane: &'w Plane,
-}
-
-impl Support<'_> {
-    /// Where it touches, from the mass centre, where the normal of its plane is `up`, all in body axes. The ball rolls: this place moves along the body.
-    pub(in crate::spatial) fn arm(&self, up: Vec3) -> Vec3 {
-        self.point - up * self.radius
-    }
 }
 
 /// Gravity that no motion can be scaled by.
@@ -200,23 +192,32 @@ impl World {
 
     /// A support by its number.
     pub(in crate::spatial) fn support(&self, number: usize) -> Support<'_> {
-        let points = self.body.supports();
+        let features = self.body.features();
         Support {
-            point: points[number % points.len()],
-            radius: self.body.radius(),
-            plane: &self.planes[number / points.len()],
+            feature: &features[number % features.len()],
+            plane: &self.planes[number / features.len()],
         }
     }
 
-    /// Its point, from the mass centre, body axes \[m\].
+    /// Its point, or the centre of its circle, from the mass centre, body axes \[m\].
     pub(in crate::spatial) fn point(&self, number: usize) -> Vec3 {
-        self.support(number).point
+        self.support(number).feature.point
     }
 
     /// Where it touches its plane, from the mass centre, body axes \[m\].
     pub(in crate::spatial) fn arm(&self, number: usize, attitude: Rotation) -> Vec3 {
-        let support = self.support(number);
-        support.arm(attitude.undo(support.plane.normal()))
+        let Support { feature, plane } = self.support(number);
+        if feature.is_sharp() { feature.point } else { feature.arm(attitude.undo(plane.normal())) }
+    }
+
+    /// How fast the place where it touches moves, as seen from the mass centre, body axes [m/s].
+    pub(in crate::spatial) fn swing(&self, number: usize, attitude: Rotation, spin: Vec3) -> Vec3 {
+        let Support { feature, plane } = self.support(number);
+        if feature.is_sharp() {
+            return spin.cross(feature.point);
+        }
+        let up = attitude.undo(plane.normal());
+        spin.cross(feature.arm(up)) + feature.drift(up, spin)
     }
 
     /// The normal of its plane, world axes.
@@ -233,6 +234,28 @@ impl World {
     /// The plane of a support, by its number.
     pub(in crate::spatial) fn plane_of(&self, support: usize) -> usize {
         support / self.body.supports().len()
+    }
+
+    /// Their features are alike: places of them on one plane keep their distances.
+    pub(in crate::spatial) fn are_alike(&self, supports: Supports) -> bool {
+        let feature = |i: usize| self.support(i).feature;
+        let Some(first) = supports.iter().next() else { return true };
+        !self.body.is_round() || supports.iter().all(|i| feature(i).is_like(feature(first)))
+    }
+
+    /// A support on the line of two others on its plane stays on that line as they move: true where it is as wide as they are at its place.
+    pub(in crate::spatial) fn is_between(&self, [a, b]: [usize; 2], support: usize) -> bool {
+        if !self.body.is_round() {
+            return true;
+        }
+        let [from, to, own] = [a, b, support].map(|i| self.support(i).feature);
+        let whole = to.point - from.point;
+        let square = whole.dot(whole);
+        let share = if square > 0.0 { (own.point - from.point).dot(whole) / square } else { 0.0 };
+        let near = ON_EDGE * self.body.reach();
+        let wide = |of: fn(&Feature) -> f64| (of(from) + share * (of(to) - of(from)) - of(own)).abs() <= near;
+        let on = (own.point - from.point - whole * share).norm() <= near;
+        on && from.has_axis_of(own) && to.has_axis_of(own) && wide(|f| f.circle) && wide(|f| f.radius)
     }
 
     /// True where these supports are of one plane, or none.

@@ -2,7 +2,7 @@
 
 use super::mode::{Equations, Mode};
 use crate::spatial::geometry::body::principal_range;
-use crate::spatial::geometry::posture::Posture;
+use crate::spatial::geometry::posture::{Bend, Posture};
 use crate::spatial::geometry::world::{Support, World};
 use crate::tolerance::ENERGY_ROOM;
 use carom_num::Vec3;
@@ -63,17 +63,20 @@ impl Bounds {
         (self.pull + 0.5 * spin * spin * (self.largest - self.least)) / self.least
     }
 
-    /// A bound on the acceleration of a support's height that holds for a while from an instant on [m/s²].
+    /// A bound on the acceleration of a support's height from an instant on; the normal of its plane is `up` in body axes.
     pub(in crate::spatial) fn bend(
         &self,
-        spin: Vec3,
-        Support { point, plane, .. }: &Support<'_>,
+        [spin, up]: [Vec3; 2],
+        Support { feature, plane }: &Support<'_>,
         length: f64,
-    ) -> f64 {
+    ) -> Bend {
         let most = self.spin.min(spin.norm() + self.turning(self.spin) * length);
-        let d = *point - self.from;
+        let d = feature.point - self.from;
         let reach = self.along.map_or(d, |u| d - u * d.dot(u)).norm();
-        self.fall.dot(plane.normal()).abs() + reach * (self.turning(most) + most * most)
+        let turning = self.turning(most);
+        let own = self.fall.dot(plane.normal()).abs() + reach * (turning + most * most);
+        let Bend { most, lasts } = feature.bend(up, [most, turning]);
+        Bend { most: own + most, lasts }
     }
 }
 
@@ -119,7 +122,8 @@ mod tests {
                 let own = world.support(support);
                 let second = stretch.height(&world, support, &at).second.abs();
                 // From the start on for as long as this, and from here on for no time at all.
-                for bend in [bounds.bend(start_spin, &own, elapsed), bounds.bend(at.spin, &own, 0.0)] {
+                for spin in [(start_spin, elapsed), (at.spin, 0.0)] {
+                    let bend = bounds.bend([spin.0, at.up], &own, spin.1).most;
                     worst = worst.max(if second > 1e-12 { second / bend } else { 0.0 });
                 }
             }
@@ -131,7 +135,7 @@ mod tests {
     #[test]
     fn no_height_accelerates_beyond_its_bound() {
         let world = world();
-        let edge = Mode::holding(&world, [0, 3].into_iter().collect());
+        let edge = Mode::holding(&world, [0, 3].into_iter().collect(), Rotation::NONE);
         let Mode::Edge { along, .. } = edge else { panic!("two supports make an edge") };
         for size in [0.0, 1.0, 7.0] {
             let spin = Vec3::new(0.4, -0.8, 0.5) * size;

@@ -70,8 +70,8 @@ impl Question<'_> {
         let (body, State { attitude, spin, .. }) = (self.world.body(), *self.state);
         let turning = body.mobility() * -spin.cross(body.inertia() * spin);
         let accelerations = self.asked.iter().map(|i| {
-            let (arm, point) = (self.world.arm(i, attitude), self.world.point(i));
-            self.world.gravity() + attitude.apply(turning.cross(arm) + spin.cross(spin.cross(point)))
+            let (arm, swing) = (self.world.arm(i, attitude), self.world.swing(i, attitude, spin));
+            self.world.gravity() + attitude.apply(turning.cross(arm) + spin.cross(swing))
         });
         self.ask(Some(&accelerations.collect::<Vec<_>>()))
     }

@@ -78,7 +78,7 @@ fn slips_on_planes(world: &World, state: &State, touching: Supports, size: f64) 
     for (number, plane) in world.planes().iter().enumerate() {
         let own = touching.common(world.of_plane(number));
         let slip = |i: usize| plane.along(state.velocity_of(world.arm(i, state.attitude)));
-        let place = |i: usize| plane.along(state.attitude.apply(world.point(i)));
+        let place = |i: usize| plane.along(state.attitude.apply(world.arm(i, state.attitude)));
         let slowest = own.iter().min_by(|a, b| slip(*a).norm().total_cmp(&slip(*b).norm()));
         let Some(base) = slowest else { continue };
         let (of_base, turn) = (rounded(slip(base)), plane.normal() * plane.normal().dot(spin));

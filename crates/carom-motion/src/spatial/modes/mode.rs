@@ -58,25 +58,9 @@ fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
 }
 
 impl Mode {
-    /// What a body does while the points of these supports, and no others, stay where they are.
-    pub(in crate::spatial) fn holding(world: &World, held: Supports) -> Self {
-        Self::holding_at(world, held, |i| world.point(i))
-    }
-
-    /// What a body does of which these supports stick where they touch. Balls about one point or two roll.
-    pub(in crate::spatial) fn sticking(world: &World, held: Supports, attitude: Rotation) -> Self {
-        if world.body().radius() == 0.0 {
-            return Self::holding(world, held);
-        }
-        match Self::holding_at(world, held, |i| world.arm(i, attitude)) {
-            Self::Pivot { .. } | Self::Edge { .. } => {
-                Self::Slides { sticking: held, slipping: Supports::NONE }
-            }
-            mode => mode,
-        }
-    }
-
-    fn holding_at(world: &World, held: Supports, place: impl Fn(usize) -> Vec3) -> Self {
+    /// What a body does while the places at which these supports touch, and no others, stay where they are.
+    pub(in crate::spatial) fn holding(world: &World, held: Supports, attitude: Rotation) -> Self {
+        let place = |i: usize| world.arm(i, attitude);
         let Some(first) = held.iter().next() else { return Self::Flight };
         let distance = |i: usize, j: usize| (place(i) - place(j)).norm();
         // The ends of a line are a support farthest from any, and the one farthest from that.
@@ -97,10 +81,20 @@ impl Mode {
         // Others between the ends touch their plane too, where it holds two of these.
         let beside = |i: &usize| {
             let of_its_plane = held.common(world.of_plane(world.plane_of(*i)));
-            of_its_plane.len() >= 2 && collinear(*i)
+            of_its_plane.len() >= 2 && collinear(*i) && world.is_between(ends, *i)
         };
         let between: Supports = (0..world.count()).filter(beside).collect();
         Self::Edge { ends, along, held: held.union(between) }
+    }
+
+    /// What a body does of which these supports stick where they touch: one with balls or circles rolls on them.
+    pub(in crate::spatial) fn sticking(world: &World, held: Supports, attitude: Rotation) -> Self {
+        match Self::holding(world, held, attitude) {
+            Self::Pivot { .. } | Self::Edge { .. } if world.body().is_round() => {
+                Self::Slides { sticking: held, slipping: Supports::NONE }
+            }
+            mode => mode,
+        }
     }
 
     /// The supports that stay on their planes as long as this goes on.
@@ -118,8 +112,8 @@ impl Mode {
         let of = |on: &dyn Fn(Vec3) -> bool| (0..world.count()).filter(|i| on(world.point(*i))).collect();
         match *self {
             Self::Flight => Supports::NONE,
-            Self::Slides { .. } if world.body().radius() > 0.0 => Supports::NONE,
-            Self::Slides { sticking, .. } => Self::holding(world, sticking).fixed(world),
+            Self::Slides { .. } if world.body().is_round() => Supports::NONE,
+            Self::Slides { sticking, .. } => Self::holding(world, sticking, Rotation::NONE).fixed(world),
             Self::Pivot { support, .. } => of(&|arm| (arm - world.point(support)).norm() <= near),
             Self::Edge { ends: [a, _], along, .. } => of(&|arm| off_line(arm, world.point(a), along) <= near),
             Self::Rest { .. } => (0..world.count()).collect(),
@@ -148,17 +142,24 @@ pub(in crate::spatial) fn spanned(world: &World, bearing: Supports) -> Supports 
 
 /// Those of one plane.
 fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
-    let mode = Mode::holding(world, bearing.common(own));
+    let bearing = bearing.common(own);
+    // Places of features that are not alike move against each other: which others are between them is a matter of the attitude.
+    if !world.are_alike(bearing) {
+        return bearing;
+    }
+    let mode = Mode::holding(world, bearing, Rotation::NONE);
     let Mode::Rest { held } = mode else { return mode.held(world) };
-    let (Some(first), Some(normal)) = (held.iter().next(), normal_of(world, held)) else { return held };
+    let normal = normal_of(world, held, Rotation::NONE);
+    let (Some(first), Some(normal)) = (held.iter().next(), normal) else { return held };
     let on =
         |i: &usize| (world.point(*i) - world.point(first)).dot(normal).abs() <= ON_EDGE * world.body().reach();
-    held.union(own.iter().filter(on).collect())
+    let like = |i: &usize| world.are_alike([first, *i].into_iter().collect());
+    held.union(own.iter().filter(on).filter(like).collect())
 }
 
 /// The unit normal of the plane through three or more supports.
-pub(in crate::spatial) fn normal_of(world: &World, held: Supports) -> Option<Vec3> {
-    let place = |i: usize| world.point(i);
+pub(in crate::spatial) fn normal_of(world: &World, held: Supports, attitude: Rotation) -> Option<Vec3> {
+    let place = |i: usize| world.arm(i, attitude);
     let first = held.iter().next()?;
     let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
     let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();

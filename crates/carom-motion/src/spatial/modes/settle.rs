@@ -3,17 +3,17 @@
 use super::mode::{Mode, normal_of};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::geometry::world::{Support, World};
+use crate::spatial::geometry::world::World;
 use crate::tolerance::MOST_SETTLING_TURN;
 use carom_num::{Rotation, Vec3};
 
 /// The direction in the body that must come to lie along the plane's normal, given what it is near to; `None` where the held supports leave it open.
-fn wanted_normal(world: &World, mode: Mode, up: Vec3) -> Option<Vec3> {
+fn wanted_normal(world: &World, mode: Mode, up: Vec3, attitude: Rotation) -> Option<Vec3> {
     match mode {
         Mode::Flight | Mode::Pivot { .. } | Mode::Slides { .. } => None,
         Mode::Edge { along, .. } => (up - along * up.dot(along)).unit(),
         Mode::Rest { held } => {
-            let normal = normal_of(world, held)?;
+            let normal = normal_of(world, held, attitude)?;
             Some(if normal.dot(up) < 0.0 { -normal } else { normal })
         }
     }
@@ -23,9 +23,9 @@ fn wanted_normal(world: &World, mode: Mode, up: Vec3) -> Option<Vec3> {
 /// attitude that they have.
 pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> State {
     let Some(foot) = mode.foot() else { return *state };
-    let Support { point, radius, plane } = world.support(foot);
+    let plane = world.support(foot).plane;
     let up = state.attitude.undo(plane.normal());
-    let wanted = wanted_normal(world, mode, up).filter(|_| world.is_of_one_plane(mode.held(world)));
+    let wanted = wanted_normal(world, mode, up, state.attitude).filter(|_| world.is_of_one_plane(mode.held(world)));
     let turn = wanted.map_or(Vec3::ZERO, |normal| normal.cross(up));
     // In body axes: the normal n goes to where e is, R e' = z with e' = n.
     let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_SETTLING_TURN {
@@ -39,8 +39,8 @@ pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> S
         Mode::Edge { along, .. } => along * along.dot(state.spin),
         _ => state.spin,
     };
-    let centre = plane.onto(state.place(point)) + plane.normal() * radius - attitude.apply(point);
     let arm = world.arm(foot, attitude);
+    let centre = plane.onto(state.place(arm)) - attitude.apply(arm);
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
 }
 
@@ -83,7 +83,7 @@ mod tests {
         let spin = Vec3::new(0.1, 0.2, 0.3);
         let state = State::standing(world.body(), 1, attitude, spin);
         for kept in [[1, 2].into_iter().collect::<Supports>(), (0..4).collect()] {
-            let mode = Mode::holding(&world, kept);
+            let mode = Mode::holding(&world, kept, attitude);
             let after = settled(&world, mode, &state);
             for i in kept.iter() {
                 let height = after.place(world.point(i)).z;

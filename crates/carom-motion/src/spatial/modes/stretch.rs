@@ -4,7 +4,7 @@ use super::mode::{Equations, Mode, Vector, normalised, pack, unpack};
 use crate::spatial::geometry::posture::{Height, Posture, Upright};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::geometry::world::World;
+use crate::spatial::geometry::world::{Support, World};
 use carom_num::{Rotation, Vec3};
 
 /// The heights of all supports \[m\].
@@ -44,8 +44,9 @@ impl Stretch {
         let (place, velocity) = if mode == Mode::Flight {
             (state.centre, state.velocity)
         } else {
-            let foot = world.support(mode.foot().unwrap_or(0));
-            (foot.plane.onto(state.place(foot.point)) + foot.plane.normal() * foot.radius, Vec3::ZERO)
+            let Support { feature, plane } = world.support(mode.foot().unwrap_or(0));
+            let depth = feature.depth(state.attitude.undo(plane.normal()));
+            (plane.onto(state.place(feature.point)) + plane.normal() * depth, Vec3::ZERO)
         };
         let (attitude, spin, gravity) = (state.attitude, state.spin, world.gravity());
         let planes = uprights(world, attitude);
@@ -77,7 +78,12 @@ impl Stretch {
 
     /// The height of a support at an instant.
     pub(in crate::spatial) fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
-        at.height(&self.planes[world.plane_of(support)], world.point(support), self.heights[support])
+        at.height(&self.planes[world.plane_of(support)], world.support(support).feature, self.heights[support])
+    }
+
+    /// The normal of a support's plane at an instant, body axes.
+    pub(in crate::spatial) fn up(&self, world: &World, support: usize, at: &Posture) -> Vec3 {
+        at.turned.undo(self.planes[world.plane_of(support)].then)
     }
 
     /// The state at which so much time has passed.

@@ -203,6 +203,11 @@ pub enum End {
         /// What it stands on.
         held: Supports,
     },
+    /// A circle of it has come to lie flat on its plane: all of it touches at once, and what follows is not known.
+    Flat {
+        /// The supports that touch.
+        touching: Supports,
+    },
     /// It leans over as far as [`crate::spatial::terms::Overturning`] says.
     Overturned,
     /// Without sliding there is no way on.

@@ -54,7 +54,7 @@ impl Walker<'_> {
         let world = self.world;
         let before = (self.state, self.mode, self.departing, self.heights);
         let impacts = self.impacts.len();
-        let mode = Mode::holding(world, series.kept);
+        let mode = Mode::holding(world, series.kept, self.state.attitude);
         if self.world.friction().is_some() {
             let Some(state) = self.landed(series.kept) else { return Ok(Closed::Not) };
             self.state = state;

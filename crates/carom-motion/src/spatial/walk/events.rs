@@ -3,7 +3,7 @@
 use super::gliding::Gliding;
 use super::motion::{Event, Motion};
 use crate::evaluated::{Quantity, evaluated};
-use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::posture::{Bend, Height, Posture};
 use crate::spatial::terms::Overturning;
 use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH};
 use carom_num::Vec3;
@@ -91,7 +91,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
         step: &Step<M::Y>,
         (support, from, until): (usize, f64, f64),
     ) -> Option<Found<Event>> {
-        let (own, length) = (self.walker.world.support(support), step.length);
+        let length = step.length;
         let mut x = from;
         while x < until {
             let at = self.place(step, x).1;
@@ -100,12 +100,18 @@ impl<M: Motion> Gliding<'_, '_, M> {
             if height.value.is_nan() {
                 return None;
             }
-            let bend = self.motion.bend(&at, &own, (until - x) * length);
+            let Bend { most: bend, lasts } =
+                self.motion.bend(self.walker.world, support, &at, (until - x) * length);
+            let (whole, until) = (until, until.min(x + lasts / length));
             if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
                 let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
                 // What hardly moves may come down long after this step.
                 let later =
                     ends[0] >= until || ends[1] > until && self.look(step, support, until).value > 0.0;
+                if later && until < whole {
+                    x = until.max(x + LEAST_MARCH);
+                    continue;
+                }
                 if later {
                     return None;
                 }
@@ -113,7 +119,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
                 let at = root_between(ends, length, &mut |x| self.look(step, support, x));
                 return (at < until).then_some(Found::at(at, Event::Touches(support)));
             }
-            x += (height.safe(bend) / length).max(LEAST_MARCH);
+            x += (height.safe(bend).min(lasts) / length).max(LEAST_MARCH);
         }
         None
     }

@@ -1,8 +1,8 @@
 //! A stretch of motion as its integration and the search for its events see it.
 
-use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::posture::{Bend, Height, Posture};
 use crate::spatial::geometry::state::State;
-use crate::spatial::geometry::world::{Support, World};
+use crate::spatial::geometry::world::World;
 use crate::spatial::modes::bounds::Bounds;
 use crate::spatial::modes::capacity::Capacity;
 use crate::spatial::modes::mode::{Mode, Vector, normalised};
@@ -30,6 +30,8 @@ pub(in crate::spatial) enum Event {
     Gives,
     /// The slip of a support comes to zero.
     Stops,
+    /// A circle that touches comes to lie flat.
+    Flattens(usize),
     /// Friction presses a sliding body on the plane without bound.
     Jams,
     /// It leans over too far.
@@ -95,8 +97,8 @@ pub(in crate::spatial) trait Motion {
 
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height;
 
-    /// What the acceleration of a support's height does not exceed for a while \[m/s²\].
-    fn bend(&self, at: &Posture, support: &Support<'_>, time: f64) -> f64;
+    /// What the acceleration of a support's height does not exceed in the time that follows, or for a part of it.
+    fn bend(&self, world: &World, support: usize, at: &Posture, time: f64) -> Bend;
 
     /// Events whose functions are looked at at nodes, but for overturning.
     fn smooth_events(&self) -> Vec<Event>;
@@ -195,8 +197,9 @@ impl Motion for Standing {
         self.stretch.height(world, support, at)
     }
 
-    fn bend(&self, at: &Posture, support: &Support<'_>, time: f64) -> f64 {
-        self.bounds.bend(at.spin, support, time)
+    fn bend(&self, world: &World, support: usize, at: &Posture, time: f64) -> Bend {
+        let up = self.stretch.up(world, support, at);
+        self.bounds.bend([at.spin, up], &world.support(support), time)
     }
 
     fn smooth_events(&self) -> Vec<Event> {

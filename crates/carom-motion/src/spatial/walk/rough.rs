@@ -98,7 +98,7 @@ impl Walker<'_> {
             asked.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
         let apart = !self.world.is_of_one_plane(asked);
         if slipping.is_empty() && !apart {
-            self.state = settled(self.world, BodyMode::holding(self.world, asked), &self.state);
+            self.state = settled(self.world, BodyMode::holding(self.world, asked, self.state.attitude), &self.state);
             return Ok(());
         }
         // On one plane one that sticks says of the others that they only turn about it.
@@ -167,11 +167,17 @@ impl Walker<'_> {
         let BodyMode::Slides { sticking, slipping } = self.mode else { return Ok(Carries::default()) };
         let (sliding, first) = self.sliding()?;
         let forces = sliding.forces(&first).unwrap_or_default();
+        let across = |i: usize, force: Vec3| self.world.support(i).plane.along(force);
+        let friction = |i: usize| self.world.friction().map_or(0.0, |f| f.coefficient(i));
+        // Others may come to the edges of their cones at once.
+        let used_up = |(i, force): &(usize, Vec3)| {
+            let most = friction(*i) * self.world.normal(*i).dot(*force);
+            sticking.contains(*i) && across(*i, *force).norm() >= (1.0 - CONES_LEFT_AT_ONCE) * most
+        };
+        let which = which.union(forces.iter().filter(|f| used_up(f)).map(|(i, _)| *i).collect());
         let mut leads = self.leads.clone();
-        for (i, force) in forces.into_iter().filter(|(i, _)| which.contains(*i)) {
-            let across = self.world.support(i).plane.along(force);
-            leads.push((i, -across.unit().unwrap_or(Vec3::ZERO)));
-        }
+        let starting = forces.into_iter().filter(|(i, _)| which.contains(*i));
+        leads.extend(starting.map(|(i, force)| (i, -across(i, force).unit().unwrap_or(Vec3::ZERO))));
         Ok(Carries { sticking: sticking.difference(which), slipping: slipping.union(which), leads })
     }
 
@@ -206,7 +212,7 @@ impl Walker<'_> {
             (None, Some(which)) => {
                 let world = self.world;
                 let alike =
-                    |i: &usize| world.point(*i) == world.point(which) && world.normal(*i) == world.normal(which);
+                    |i: &usize| world.support(*i).feature == world.support(which).feature && world.normal(*i) == world.normal(which);
                 let carries = self.slips_against(held.iter().filter(alike).collect())?;
                 self.enter(carries, held)
             }

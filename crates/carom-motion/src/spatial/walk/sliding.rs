@@ -4,7 +4,7 @@
 //! the foot has gone and its slip (along the tangents of its plane), the work of friction, and the spin about that plane's normal once more. The slip and that
 //! spin are what all slips on that plane are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
 
-use crate::tolerance::{SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
+use crate::tolerance::{FLAT, SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 pub(in crate::spatial) mod carriers;
 mod load;
 pub(in crate::spatial) mod moment;
@@ -13,11 +13,12 @@ mod projection;
 use self::carriers::{Carried, Carrier, carriers_of};
 use super::motion::{Event, Motion};
 use crate::spatial::geometry::body::Body;
-use crate::spatial::geometry::posture::{Height, Posture, Upright};
+use crate::spatial::geometry::feature::Feature;
+use crate::spatial::geometry::posture::{Bend, Height, Posture, Upright};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::{Scales, Support, World};
-use crate::spatial::modes::grip::MOST_BEARING;
+use crate::spatial::modes::grip::{Bearing, MOST_BEARING};
 use crate::spatial::modes::mode::{Mode, normal_of};
 use crate::spatial::modes::stretch::{Heights, uprights};
 use carom_num::ode8::Step;
@@ -60,8 +61,7 @@ pub(in crate::spatial) struct Sliding {
     heights: Heights,
     planes: Vec<Upright>,
     pub(super) carriers: Vec<Carrier>,
-    /// The foot, from the mass centre, body axes: of a rounded body the centre of its ball.
-    pub(in crate::spatial) foot: Vec3,
+    pub(in crate::spatial) foot: Feature,
     /// The foot's plane.
     plane: usize,
     /// Where the foot starts, world axes.
@@ -102,7 +102,7 @@ impl Sliding {
         let speed = |i: usize| velocity(world.arm(i, state.attitude)).norm();
         let slowest = || carried.slipping.iter().min_by(|a, b| speed(*a).total_cmp(&speed(*b)));
         let support = carried.sticking.iter().next().or_else(slowest)?;
-        let (foot, plane) = (world.point(support), world.plane_of(support));
+        let (foot, plane) = (*world.support(support).feature, world.plane_of(support));
         let carriers = carriers_of(world, carried, state, support)?;
         let speck = SLIP_SPECK * world.scales().speed;
         let starts = |c: &Carrier| c.lead != Vec3::ZERO && speed(c.support) <= speck;
@@ -110,17 +110,17 @@ impl Sliding {
         let starting = carriers.iter().filter(|c| starts(c)).map(|c| c.support).collect();
         let resting: Vec<&Carrier> = carriers.iter().filter(|c| c.sticks || starts(c)).collect();
         let (foot_rests, several_rest) = (resting.iter().any(|c| c.is_foot), resting.len() > 1);
-        let apart = !world.is_of_one_plane(bearing);
-        let mode = Mode::holding(world, bearing);
+        let apart = !(world.is_of_one_plane(bearing) && world.are_alike(bearing));
+        let mode = Mode::holding(world, bearing, state.attitude);
         let edge = match mode {
             Mode::Edge { ends, .. } if !apart => {
-                let [a, b] = ends.map(|end| world.point(end) - foot);
+                let [a, b] = ends.map(|end| world.point(end) - foot.point);
                 Some(if a.norm() > b.norm() { a } else { b })
             }
             _ => None,
         };
         let flat = matches!(mode, Mode::Rest { .. }) && !apart;
-        let normal = flat.then(|| normal_of(world, bearing)).flatten();
+        let normal = flat.then(|| normal_of(world, bearing, state.attitude)).flatten();
         let frame = world.planes()[plane].axes();
         let axes = frame.map(|axis| state.attitude.undo(axis));
         let [east, north, up] = frame.map(|axis| world.gravity().dot(axis));
@@ -134,7 +134,7 @@ impl Sliding {
             carriers,
             foot,
             plane,
-            place: world.planes()[plane].onto(state.place(foot)) + frame[2] * body.radius(),
+            place: world.planes()[plane].onto(state.place(foot.point)) + frame[2] * foot.depth(axes[2]),
             frame,
             axes,
             apart,
@@ -164,12 +164,12 @@ impl Sliding {
             return self.projected(y, Supports::one(support));
         }
         let mut out = *y;
-        let point = self.carriers.iter().find(|c| c.support == support).map_or(self.foot, |c| c.point);
+        let point = self.carriers.iter().find(|c| c.support == support).map_or(self.foot.point, |c| c.feature.point);
         if self.carriers.iter().any(|c| c.sticks) {
             out[12] = 0.0;
         } else {
             let [east, north, up] = self.moment(y).axes;
-            let slip = up.cross(self.foot - point) * y[12];
+            let slip = up.cross(self.foot.point - point) * y[12];
             (out[9], out[10]) = (slip.dot(east), slip.dot(north));
         }
         out
@@ -181,6 +181,27 @@ impl Sliding {
 
     pub(in crate::spatial) fn mass(&self) -> f64 {
         self.body.mass()
+    }
+
+    /// Circles that touch may come to lie flat.
+    fn flattens(&self) -> impl Iterator<Item = Event> {
+        let circles = self.carriers.iter().filter(|c| c.feature.circle > 0.0);
+        circles.map(|c| Event::Flattens(c.support))
+    }
+
+    /// In what time the first of them would lie flat, were it to go on as it does \[s\].
+    fn flat_in(&self, y: &Vector) -> f64 {
+        let round = self.carriers.iter().any(|c| c.feature.circle > 0.0);
+        if !round {
+            return f64::INFINITY;
+        }
+        let now = self.moment(y);
+        let time = |(c, b): (&Carrier, &Bearing)| {
+            let falls = c.feature.axis.cross(c.feature.axis.cross(b.up())).unit()?.dot(b.up().cross(now.spin));
+            (falls > 0.0).then_some(c.feature.tilt(b.up())? / falls)
+        };
+        let times = self.carriers.iter().zip(&now.bearings).filter_map(time);
+        times.fold(f64::INFINITY, f64::min)
     }
 
     pub(super) fn gravity_size(&self) -> f64 {
@@ -203,7 +224,7 @@ impl Motion for Sliding {
         let turned = Rotation { w: y[0], v: Vec3::new(y[1], y[2], y[3]) };
         let [a, b, c, d] = turned.rate(now.spin);
         let Vec3 { x: p, y: q, z: r } = turning;
-        let rolled = self.rolled(&now, now.spin);
+        let rolled = self.rolled(&now);
         let (way_east, way_north) = (y[9] + rolled.dot(east), y[10] + rolled.dot(north));
         [a, b, c, d, p, q, r, way_east, way_north, foot.dot(east), foot.dot(north), power, turning.dot(up)]
     }
@@ -249,7 +270,8 @@ impl Motion for Sliding {
 
     fn longest(&self, y: &Vector, rate: &Vector) -> f64 {
         let stop = |s: Slowing| if s.change < 0.0 { s.speed / -s.change } else { f64::INFINITY };
-        TOWARDS_STOP * self.slowing(y, rate).map(stop).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min)
+        let stop = self.slowing(y, rate).map(stop).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min);
+        TOWARDS_STOP * stop.min(self.flat_in(y))
     }
 
     fn is_stiff(&self, y: &Vector, rate: &Vector) -> bool {
@@ -306,9 +328,10 @@ impl Motion for Sliding {
         let now = self.moment(y);
         let whole = self.attitude.after(now.turned);
         let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
+        let lift = self.foot.sunk(now.turned, [self.axes[2], now.axes[2]], [now.spin, Vec3::ZERO]).value;
         let [gone, slip] = [7, 9].map(|k| self.frame[0] * y[k] + self.frame[1] * y[k + 1]);
         State {
-            centre: self.place + gone - attitude.apply(self.foot),
+            centre: self.place + gone + self.frame[2] * lift - attitude.apply(self.foot.point),
             attitude,
             velocity: slip + attitude.apply(now.foot.cross(now.spin)),
             spin: now.spin,
@@ -316,15 +339,20 @@ impl Motion for Sliding {
     }
 
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
-        let (plane, point, start) = (world.plane_of(support), world.point(support), self.heights[support]);
+        let (plane, start) = (world.plane_of(support), self.heights[support]);
+        let feature = world.support(support).feature;
         if plane == self.plane {
             // The foot goes along it.
-            return Posture { base: [Vec3::ZERO; 3], ..*at }.height(&self.planes[plane], point, start);
+            let up = [self.axes[2], at.turned.undo(self.axes[2])];
+            let lift = self.foot.sunk(at.turned, up, [at.spin, at.turning]);
+            let base = [lift.value, lift.rate, lift.second].map(|v| self.frame[2] * v);
+            return Posture { base, ..*at }.height(&self.planes[plane], feature, start);
         }
-        at.height(&self.planes[plane], point, start)
+        at.height(&self.planes[plane], feature, start)
     }
 
-    fn bend(&self, _: &Posture, Support { point, plane, .. }: &Support<'_>, _: f64) -> f64 {
+    fn bend(&self, world: &World, support: usize, at: &Posture, _: f64) -> Bend {
+        let Support { feature, plane } = world.support(support);
         let (times, more) = BETWEEN;
         let unit = self.scales.time;
         let turning = times * self.most[0] + more / (unit * unit);
@@ -334,7 +362,11 @@ impl Motion for Sliding {
         } else {
             times * self.most[2] + more * self.scales.length / (unit * unit)
         };
-        own + (*point - self.foot).norm() * (turning + spin * spin)
+        let own = own + (feature.point - self.foot.point).norm() * (turning + spin * spin);
+        // The foot's centre rises by as much as a circle of it is lifted.
+        let of = |feature: &Feature, up: Vec3| feature.bend(up, [spin, turning]);
+        let (foot, other) = (of(&self.foot, at.up), of(feature, at.turned.undo(self.planes[world.plane_of(support)].then)));
+        Bend { most: own + foot.most + other.most, lasts: foot.lasts.min(other.lasts) }
     }
 
     fn smooth_events(&self) -> Vec<Event> {
@@ -342,13 +374,14 @@ impl Motion for Sliding {
             // How they share is open: they go on as long as some forces let them.
             let idle = self.carriers.iter().enumerate().filter(|(_, c)| c.spare > 0.0);
             let lets = idle.map(|(place, c)| Event::Lets { support: c.support, place });
-            return lets.chain([Event::Gives]).collect();
+            return lets.chain([Event::Gives]).chain(self.flattens()).collect();
         }
         let lets = self.carriers.iter().enumerate();
         let mut events: Vec<Event> =
             lets.map(|(place, c)| Event::Lets { support: c.support, place }).collect();
         let slips = self.carriers.iter().filter(|c| c.sticks).map(|c| Event::Slips(c.support));
         events.extend(slips);
+        events.extend(self.flattens());
         if self.carriers.len() == 1 {
             events.push(Event::Jams);
         }
@@ -374,6 +407,11 @@ impl Motion for Sliding {
                 most * most - across.dot(across)
             }
             Event::Gives => self.left(&now),
+            Event::Flattens(support) => {
+                let carrier = self.carriers.iter().zip(&now.bearings).find(|(c, _)| c.support == support);
+                let tilt = carrier.and_then(|(c, b)| c.feature.tilt(b.up()));
+                tilt.map_or(f64::INFINITY, |sine| sine - FLAT)
+            }
             Event::Jams => reactions.regularity,
             _ => f64::INFINITY,
         }

@@ -17,14 +17,13 @@ impl Sliding {
         let (yaw, yaw_rate) = (y[12], rate[12]);
         let turning = Vec3::new(rate[4], rate[5], rate[6]);
         let own = east * rate[9] + north * rate[10];
-        let foot = self.foot;
         let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
         self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
-            let (arm, d) = (now.bearings[k].arm - now.foot, c.point - foot);
+            let (d, drift) = (now.bearings[k].arm - now.foot, now.drifts[k]);
             let change = if c.level {
-                own + up.cross(d) * yaw_rate - d * (yaw * yaw)
+                own + up.cross(d) * yaw_rate - d * (yaw * yaw) + up.cross(drift) * yaw
             } else {
-                own + turning.cross(arm) + now.spin.cross(now.spin.cross(d))
+                own + turning.cross(d) + now.spin.cross(now.spin.cross(d) + drift)
             };
             let bearing = &now.bearings[k];
             Slowing {
@@ -34,7 +33,7 @@ impl Sliding {
                 friction: c.friction,
                 normal: normals[k],
                 aside: bearing.up().cross(bearing.toward),
-                from_foot: if c.level { d } else { arm },
+                from_foot: d,
             }
         })
     }
@@ -90,7 +89,7 @@ impl Sliding {
             (None, None) => None,
             (Some(foot), None) => Some((foot.lead, 0.0)),
             (own, Some(end)) => {
-                let edge = end.point - self.foot;
+                let edge = end.feature.point - self.foot.point;
                 let along = edge.unit()?;
                 let (far, near) = (into(end.lead), own.map_or(Vec3::ZERO, |c| into(c.lead)));
                 let (there, here) = (along.dot(far), along.dot(near));

@@ -8,14 +8,14 @@ use crate::spatial::geometry::posture::Height;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::state::measured;
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::geometry::world::World;
+use crate::spatial::geometry::world::{Support, World};
 use crate::spatial::modes::contacts::{Answer, Way};
 use crate::spatial::modes::mode::Mode;
 use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End, Impact};
 use crate::tolerance::{
-    AT_REST_AT_START, COMES_DOWN_AT_ONCE, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
+    AT_REST_AT_START, COMES_DOWN_AT_ONCE, FLAT, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
 };
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
@@ -77,6 +77,7 @@ impl Walker<'_> {
         match slides {
             _ if strikes => self.meet(),
             Some((support, speed)) => Err(MotionError::Slides { support, speed }),
+            None if self.lies_flat(resting) => Ok(Some(End::Flat { touching: resting })),
             None => self.hold(resting, None),
         }
     }
@@ -92,11 +93,23 @@ impl Walker<'_> {
     /// What comes of supports that touch: an impact, if one of them comes down.
     pub(in crate::spatial) fn meet(&mut self) -> Result<Option<End>, MotionError> {
         let touching = self.touching();
+        if self.lies_flat(touching) {
+            return Ok(Some(End::Flat { touching }));
+        }
         let free = touching.difference(self.mode.held(self.world));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let comes_down = |i: &usize| self.rise_of(*i) < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
         if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
+    }
+
+    /// A circle among these supports lies flat on its plane.
+    fn lies_flat(&self, touching: Supports) -> bool {
+        let sine = |i: usize| {
+            let Support { feature, plane } = self.world.support(i);
+            feature.tilt(self.state.attitude.undo(plane.normal()))
+        };
+        self.world.body().is_round() && touching.iter().filter_map(sine).any(|sine| sine <= FLAT)
     }
 
     /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
@@ -143,7 +156,7 @@ impl Walker<'_> {
         let kept = way.kept;
         self.state = pushed(&before, self.world, &way.pushes);
         // What is kept rests: that is known better than the impulses say it.
-        let mode = Mode::holding(self.world, kept);
+        let mode = Mode::holding(self.world, kept, self.state.attitude);
         self.state = settled(self.world, mode, &self.state);
         let seen = self.tell(&before, [touching, striking], way, conclusion);
         self.mode = mode;

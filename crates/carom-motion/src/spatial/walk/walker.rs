@@ -109,7 +109,7 @@ pub fn run(
     observer: &mut dyn Observer,
 ) -> Result<Run, MotionError> {
     options.check()?;
-    if world.body().radius() > 0.0 && world.friction().is_none() {
+    if world.body().is_round() && world.friction().is_none() {
         return Err(MotionError::Rolls);
     }
     let mut walker = Walker::new(world, start, options, observer)?;
@@ -189,6 +189,7 @@ impl<'w> Walker<'w> {
             Stop::Event(Event::Gives) => self.slips_apart(None, self.mode.held(self.world))?,
             Stop::Event(Event::Stops) => self.slip_stops()?,
             Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world))?,
+            Stop::Event(Event::Flattens(_)) => Some(End::Flat { touching: self.mode.held(self.world) }),
             Stop::Event(Event::Overturns) => Some(End::Overturned),
             Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
             Stop::Still => Some(self.at_rest()),
@@ -222,7 +223,7 @@ impl<'w> Walker<'w> {
         let world = self.world;
         let mut held = resting;
         if !resting.is_empty() {
-            self.state = settled(world, Mode::holding(world, resting), &self.state);
+            self.state = settled(world, Mode::holding(world, resting, self.state.attitude), &self.state);
             self.effort.questions += 1;
             match (Question { without, ..self.question(resting) }).of_motion()? {
                 Answer { way: Some(way), .. } => held = way.kept,
@@ -230,7 +231,7 @@ impl<'w> Walker<'w> {
             }
         }
         self.departing = resting.difference(held);
-        self.mode = Mode::holding(world, held);
+        self.mode = Mode::holding(world, held, self.state.attitude);
         self.state = settled(world, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(world, held) }))

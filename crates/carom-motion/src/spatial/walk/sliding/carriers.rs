@@ -1,5 +1,6 @@
 //! The supports that carry a sliding body.
 
+use crate::spatial::geometry::feature::Feature;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
@@ -9,8 +10,7 @@ use carom_num::Vec3;
 #[derive(Clone, Copy, Debug)]
 pub(in crate::spatial) struct Carrier {
     pub(in crate::spatial) support: usize,
-    /// From the mass centre, body axes: the centre of its ball.
-    pub(in crate::spatial) point: Vec3,
+    pub(in crate::spatial) feature: Feature,
     pub(in crate::spatial) friction: f64,
     pub(in crate::spatial) sticks: bool,
     /// Where it starts to slip from rest: the direction, world axes.
@@ -45,10 +45,11 @@ pub(super) fn carriers_of(
     let lead = |i: usize| carried.leads.iter().find(|(k, _)| *k == i).map_or(Vec3::ZERO, |(_, e)| *e);
     let of = |support: usize| {
         let frame = world.support(support).plane.axes();
-        let (point, level) = (world.point(support), world.plane_of(support) == world.plane_of(foot));
+        let (feature, own) = (world.support(support).feature, world.support(foot).feature);
+        let level = world.plane_of(support) == world.plane_of(foot);
         Carrier {
             support,
-            point,
+            feature: *feature,
             friction: friction.coefficient(support),
             sticks: carried.sticking.contains(support),
             lead: lead(support),
@@ -56,7 +57,7 @@ pub(super) fn carriers_of(
             then: frame.map(|axis| state.attitude.undo(axis)),
             spare: 0.0,
             level,
-            is_foot: point == world.point(foot) && (level || world.body().radius() == 0.0),
+            is_foot: feature == own && (level || own.is_sharp()),
         }
     };
     Some(carried.sticking.union(carried.slipping).iter().map(of).collect())

@@ -14,6 +14,8 @@ pub(in crate::spatial) struct Moment {
     /// Where the foot touches, from the mass centre, body axes.
     pub(in crate::spatial) foot: Vec3,
     pub(in crate::spatial) bearings: Vec<Bearing>,
+    /// How fast the places where they touch move along the body, less the foot's, body axes [m/s].
+    pub(in crate::spatial) drifts: Vec<Vec3>,
     /// Slip speeds \[m/s\].
     pub(in crate::spatial) speeds: Vec<f64>,
     /// Angular acceleration of the free body.
@@ -31,16 +33,19 @@ impl Sliding {
         let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
         let slip = east * y[9] + north * y[10];
-        let foot = self.foot - up * self.body.radius();
+        let (foot, own_drift) = (self.foot.arm(up), self.foot.drift(up, spin));
         let count = self.carriers.len();
         let (mut bearings, mut speeds) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut drifts = Vec::with_capacity(count);
         for c in &self.carriers {
             let axes = if c.level { axes } else { c.then.map(|axis| turned.undo(axis)) };
             let bearing = Bearing { axes, ..Bearing::default() };
             // What touches the foot's plane lies in it: no other part of the spin moves it along.
-            let arm = c.point - axes[2] * self.body.radius();
-            let (turn, d) = if c.level { (up * yaw, c.point - self.foot) } else { (spin, arm - foot) };
-            let own = bearing.along(slip + turn.cross(d));
+            let arm = c.feature.arm(axes[2]);
+            let turn = if c.level { up * yaw } else { spin };
+            let own = bearing.along(slip + turn.cross(arm - foot));
+            let drift = c.feature.drift(axes[2], spin);
+            drifts.push(drift - own_drift);
             let lead = axes[0] * c.frame[0].dot(c.lead) + axes[1] * c.frame[1].dot(c.lead);
             // On several planes a slip that is to start is never zero to the last digit.
             let own =
@@ -52,11 +57,10 @@ impl Sliding {
                 friction: c.friction,
                 sticks: c.sticks,
                 toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
-                // As a ball rolls, its place moves along the body by ρ ω × e: of ω × (ω × arm) that leaves the point's.
-                drive: gravity + free.cross(arm) + spin.cross(spin.cross(c.point)),
+                drive: gravity + free.cross(arm) + spin.cross(spin.cross(arm) + drift),
             });
         }
-        Moment { turned, spin, axes, foot, bearings, speeds, free }
+        Moment { turned, spin, axes, foot, bearings, drifts, speeds, free }
     }
 
     pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
@@ -74,15 +78,33 @@ impl Sliding {
         let turning = self.turning(now, reactions);
         // No height over the foot's own plane changes with it.
         let bent = reactions.filter(|_| self.planes.len() > 1).map_or(Vec3::ZERO, |reactions| {
-            flat(self.foot_acceleration(now, reactions) + self.rolled(now, turning))
+            flat(self.centre_acceleration(now, reactions))
         });
-        let base = [along(y[7], y[8]), along(y[9], y[10]) + flat(self.rolled(now, now.spin)), bent];
-        Posture { turned: now.turned, up: now.axes[2], spin: now.spin, turning, from: self.foot, base }
+        let base = [along(y[7], y[8]), along(y[9], y[10]) + flat(self.rolled(now)), bent];
+        // That of its centre does, where it is a circle.
+        let lift = self.foot.sunk(now.turned, [self.axes[2], now.axes[2]], [now.spin, turning]);
+        let raised = [lift.value, lift.rate, lift.second].map(|v| self.frame[2] * v);
+        let base = [0, 1, 2].map(|k| base[k] + raised[k]);
+        Posture { turned: now.turned, up: now.axes[2], spin: now.spin, turning, from: self.foot.point, base }
     }
 
-    /// How fast the centre of the foot's ball moves before where it touches, body axes; with an angular acceleration, by how much faster.
-    pub(super) fn rolled(&self, now: &Moment, spin: Vec3) -> Vec3 {
-        spin.cross(now.axes[2] * self.body.radius())
+    /// How fast the foot's centre moves before the place where it touches, body axes.
+    pub(super) fn rolled(&self, now: &Moment) -> Vec3 {
+        now.spin.cross(self.foot.point - now.foot)
+    }
+
+    /// Acceleration of the foot's centre, body axes.
+    fn centre_acceleration(&self, now: &Moment, reactions: &Reactions) -> Vec3 {
+        if self.foot.is_sharp() {
+            return self.foot_acceleration(now, reactions);
+        }
+        let [east, north, up] = now.axes;
+        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
+        let (point, turning) = (self.foot.point, self.turning(now, Some(reactions)));
+        gravity
+            + reactions.force / self.body.mass()
+            + turning.cross(point)
+            + now.spin.cross(now.spin.cross(point))
     }
 
     /// How fast the slip of the foot changes, body axes: not at all where it sticks.
@@ -94,7 +116,8 @@ impl Sliding {
         let [east, north, up] = now.axes;
         let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let turning = self.turning(now, Some(reactions));
-        let bent = turning.cross(now.foot) + now.spin.cross(now.spin.cross(self.foot));
+        let swing = now.spin.cross(now.foot) + self.foot.drift(up, now.spin);
+        let bent = turning.cross(now.foot) + now.spin.cross(swing);
         gravity + reactions.force / self.body.mass() + bent
     }
 }

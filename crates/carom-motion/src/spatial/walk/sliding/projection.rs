@@ -23,13 +23,13 @@ impl Sliding {
         let now = self.moment(y);
         let at = self.posture_of(y, &now, None);
         let height = |b: &Bearing, k: usize| {
-            let Carrier { point, frame, then, .. } = self.carriers[k];
-            b.up() * at.height(&Upright { normal: frame[2], then: then[2] }, point, 0.0).value
+            let Carrier { feature, frame, then, .. } = self.carriers[k];
+            b.up() * at.height(&Upright { normal: frame[2], then: then[2] }, &feature, 0.0).value
         };
         let mut bearings = self.bearings(&now, Supports::NONE, height);
         bearings.iter_mut().for_each(|b| b.sticks = false);
         let Some((moved, turn)) = self.answered(&bearings) else { return *y };
-        let gone = moved + turn.cross(self.foot);
+        let gone = moved + turn.cross(self.foot.point);
         let turned = now.turned.after(Rotation::by(turn));
         let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
         let mut out = *y;
@@ -90,8 +90,8 @@ impl Sliding {
         let own = now.axes[0] * rate[9] + now.axes[1] * rate[10];
         let turning = Vec3::new(rate[4], rate[5], rate[6]);
         let drive = |b: &Bearing, k: usize| {
-            let d = self.carriers[k].point - self.foot;
-            own + turning.cross(b.arm - now.foot) + now.spin.cross(now.spin.cross(d))
+            let d = b.arm - now.foot;
+            own + turning.cross(d) + now.spin.cross(now.spin.cross(d) + now.drifts[k])
         };
         self.moved(rate, &self.bearings(&now, resting, drive), &now)
     }
