@@ -4,7 +4,7 @@
 //! the foot has gone and its slip (along the tangents of its plane), the work of friction, and the spin about that plane's normal once more. The slip and that
 //! spin are what all slips on that plane are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
 
-use crate::tolerance::{FLAT, SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
+use crate::tolerance::{FLAT, SHORTEST_SPATIAL_STEP, SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 pub(in crate::spatial) mod carriers;
 mod load;
 pub(in crate::spatial) mod moment;
@@ -294,8 +294,11 @@ impl Motion for Sliding {
 
     fn stops(&self, y: &Vector, rate: &Vector) -> Option<(f64, Vector)> {
         let small = SLIP_STOPPED * self.scales.speed;
+        // A force without bound stops it sooner than a step can be made.
+        let soon = SHORTEST_SPATIAL_STEP * self.scales.time / (1.0 - TOWARDS_STOP);
         let stopping = |s: Slowing| {
-            let stops = s.speed <= small && s.change < 0.0 && self.grown.contains(s.support);
+            let comes = s.speed <= small || s.speed <= -s.change * soon;
+            let stops = comes && s.change < 0.0 && self.grown.contains(s.support);
             stops.then(|| (s.speed / -s.change, s.support))
         };
         let (rest, support) =
