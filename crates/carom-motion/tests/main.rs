@@ -33,6 +33,7 @@ mod spatial_random;
 mod spatial_renumbered;
 mod spatial_rough_random;
 mod spatial_rough_stools;
+mod spatial_round;
 mod spatial_sliding;
 mod spatial_stools;
 mod spatial_symmetries;

@@ -54,7 +54,11 @@ fn a_ball_rolls_or_slides_down_a_plane() {
         assert!(samples.pieces.iter().all(|p| p.mode == expected), "slope {slope}: {:?}", samples.pieces);
         let off = end.state.centre - start.centre - Vec3::X * (0.5 * down);
         assert!(off.norm() < 1e-11, "slope {slope}: {off:?}");
-        let turning = if rolls { down / theory.radius } else { theory.friction * G * cos(slope) / (0.4 * theory.radius) };
+        let turning = if rolls {
+            down / theory.radius
+        } else {
+            theory.friction * G * cos(slope) / (0.4 * theory.radius)
+        };
         let spin = end.state.attitude.apply(end.state.spin) - Vec3::Y * turning;
         assert!(spin.norm() < 1e-9, "slope {slope}: {spin:?}");
     }
@@ -94,10 +98,12 @@ fn a_thrown_ball_grips_after_a_parabola() {
 fn a_ball_rolls_down_a_groove() {
     let theory = Ball { friction: 0.5, ..SOLID };
     for flank in [0.2_f64, 0.7, 1.0] {
-        let flanks = [1.0, -1.0].map(|y| Plane::new(Vec3::new(0.0, y * sin(flank), cos(flank)), 0.0).unwrap());
+        let flanks =
+            [1.0, -1.0].map(|y| Plane::new(Vec3::new(0.0, y * sin(flank), cos(flank)), 0.0).unwrap());
         let steepest = theory.steepest(flank).unwrap();
         for slope in [0.1, 0.4, atan2(steepest, 1.0) - 1e-6] {
-            let world = on(ball(theory, 0.3), sloping(slope), theory.friction).among(flanks.to_vec()).unwrap();
+            let world =
+                on(ball(theory, 0.3), sloping(slope), theory.friction).among(flanks.to_vec()).unwrap();
             let attitude = Rotation::by(Vec3::new(0.2, 0.9, -0.5));
             let (centre, still) = (Vec3::Z * (theory.radius / cos(flank)), Vec3::ZERO);
             let start = State { centre, attitude, velocity: still, spin: still };
@@ -141,7 +147,10 @@ fn a_top_keeps_what_jellett_and_routh_say() {
         let ([jellett, routh], first) = (kept(&end.state), kept(&start));
         assert!((jellett / first[0] - 1.0).abs() < 1e-9, "Jellett {jellett:e}, {:e}", first[0]);
         assert!(end.drift < 1e-10, "{:e}", end.drift);
-        let slid = samples.pieces.iter().any(|p| matches!(p.mode, Mode::Slides { slipping, .. } if !slipping.is_empty()));
+        let slid = samples
+            .pieces
+            .iter()
+            .any(|p| matches!(p.mode, Mode::Slides { slipping, .. } if !slipping.is_empty()));
         assert_eq!(slid, !rolls, "{:?}", samples.pieces);
         if rolls {
             assert!((routh / first[1] - 1.0).abs() < 1e-9, "Routh {routh:e}, {:e}", first[1]);

@@ -26,7 +26,7 @@ fn name(end: &End) -> &'static str {
         End::BudgetSpent(Budget::Time) => "still moves",
         End::Overturned | End::Flat { .. } | End::Several(_) | End::BudgetSpent(_) | End::Stopped => {
             "unexpected"
-        },
+        }
     }
 }
 

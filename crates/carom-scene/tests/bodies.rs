@@ -332,3 +332,43 @@ fn bodies_that_are_far_longer_than_wide_are_refused() {
     // Masses elsewhere than in the shape count as well: these moments are as 4 × 10⁶ to 1.
     refused("box = [0.1, 0.1, 0.1]\nmass = 1\ninertia = [4, 4, 1e-6]", 1, &["as 2000 to 1"]);
 }
+
+/// A die with round edges weighs what is left of it, stands on the plane parts of its faces, and comes to rest on one.
+#[test]
+fn a_die_with_round_edges_rolls_to_rest() {
+    let die = "box = ['16 mm', '16 mm', '16 mm']\ncorner_radius = '2 mm'\ndensity = '1200 kg/m^3'\nfriction = 0.3\n";
+    let problem =
+        parse(&format!("{die}restitution = 0.3\nheight = '60 mm'\nvelocity = ['0.5 m/s', 0, 0]")).unwrap();
+    let body = problem.world.body();
+    let (edge, radius) = (0.012_f64, 0.002_f64);
+    let round = std::f64::consts::PI * radius * radius * (3.0 * edge + 4.0 / 3.0 * radius);
+    let volume = edge.powi(3) + 6.0 * edge * edge * radius + round;
+    assert!((body.mass() / (1200.0 * volume) - 1.0).abs() < 1e-14, "{}", body.mass());
+    let thrown = problem.thrown.as_ref().unwrap();
+    assert!(
+        thrown.stances.iter().all(|s| (s.height - 0.008).abs() < 1e-15 && (s.margin - 0.006).abs() < 1e-15)
+    );
+    let lowest = problem.start.centre.z + body.lowest(problem.start.attitude);
+    assert!((lowest - 0.06).abs() < 1e-15, "{lowest}");
+    let report = report(&problem);
+    assert_eq!((report.end.state.to_string().as_str(), report.end.words.contains("rest")), ("at rest", true));
+    assert!(report.resting.as_ref().unwrap().face.is_some(), "{:?}", report.resting);
+    assert!((report.tilt.tilt_rad.last().unwrap()).abs() < 1e-9, "{:?}", report.tilt.tilt_rad.last());
+    assert_eq!(report.body.as_ref().unwrap().corner_radius_m, Some(0.002));
+}
+
+#[test]
+fn what_cannot_be_rounded_is_told() {
+    let told = |source: &str| parse(source).unwrap_err();
+    let large = told("box = ['16 mm', '16 mm', '16 mm']\ncorner_radius = '8 mm'\nfriction = 0.3");
+    assert!(
+        large.contains("corner_radius is too large: nothing of the face 0, 2, 3, 1 would stay plane"),
+        "{large}"
+    );
+    let frictionless = told("corner_radius = '1 mm'");
+    assert!(frictionless.contains("a friction, beside a corner_radius"), "{frictionless}");
+    let pyramid =
+        "vertices = [[0, 0, 0.1], [0.1, 0.1, 0], [-0.1, 0.1, 0], [-0.1, -0.1, 0], [0.1, -0.1, 0]]\n";
+    let four = told(&format!("{pyramid}corner_radius = '1 mm'\nfriction = 0.3"));
+    assert!(four.contains("at point 0 there are 4"), "{four}");
+}

@@ -38,6 +38,8 @@ pub enum StageName {
     Rest,
     /// Points of it slide.
     Slide,
+    /// It rolls on balls or circles, and nothing slides.
+    Roll,
 }
 
 /// What a point does after a strike.
@@ -58,6 +60,8 @@ pub enum EndName {
     AtRest,
     /// It stands still in an equilibrium that does not last.
     Balanced,
+    /// A circle of it lies flat, and what follows is not known.
+    Flat,
     /// It falls over.
     Overturned,
     /// It was followed through as many strikes as were asked for.
@@ -77,6 +81,7 @@ crate::words! {
         Edge = "edge",
         Rest = "rest",
         Slide = "slide",
+        Roll = "roll",
     }
     PointState {
         Keeps = "keeps",
@@ -86,6 +91,7 @@ crate::words! {
     EndName {
         AtRest = "at rest",
         Balanced = "balanced",
+        Flat = "flat",
         Overturned = "overturned",
         StrikesReached = "strikes reached",
         NoConsistentOutcome = "no consistent outcome",
@@ -101,6 +107,7 @@ pub fn mode(mode: &Mode) -> StageName {
         Mode::Pivot { .. } => StageName::Pivot,
         Mode::Edge { .. } => StageName::Edge,
         Mode::Rest { .. } => StageName::Rest,
+        Mode::Slides { slipping, .. } if slipping.is_empty() => StageName::Roll,
         Mode::Slides { .. } => StageName::Slide,
     }
 }
@@ -111,6 +118,7 @@ pub fn end_name(end: Option<End>) -> EndName {
         None | Some(End::Stopped) => EndName::StrikesReached,
         Some(End::AtRest { .. }) => EndName::AtRest,
         Some(End::Balanced { .. }) => EndName::Balanced,
+        Some(End::Flat { .. }) => EndName::Flat,
         Some(End::Overturned) => EndName::Overturned,
         Some(End::NoConsistentOutcome(_)) => EndName::NoConsistentOutcome,
         Some(End::Several(_)) => EndName::SeveralWaysOn,
@@ -127,8 +135,9 @@ pub fn end<T: AsRef<str>>(names: &[T], end: Option<End>, [rough, slid]: [bool; 2
             return format!("it {} on {}", if slid { "slid to rest" } else { "rests" }, on(held));
         }
         Some(End::Balanced { held }) => {
-            return format!("it stands still on {}, in an equilibrium that does not last", on(held));
+            return format!("it stands still on {}, in an equilibrium that a touch ends", on(held));
         }
+        Some(End::Flat { .. }) => "a circle of it lies flat: what its whole rim does is not followed",
         Some(End::Overturned) => "its mass centre has passed over what it stands on: it falls over",
         Some(End::NoConsistentOutcome(clock)) => match (clock, rough) {
             (Clock::Impact, true) => {

@@ -20,6 +20,7 @@ pub use geometry::friction::{Friction, FrictionProblem};
 pub use geometry::hull::HullProblem;
 pub use geometry::plane::{Plane, PlaneProblem};
 pub use geometry::polyhedron::{Face, Polyhedron, Stance};
+pub use geometry::rounding::{Rounding, RoundingProblem};
 pub use geometry::solid::{Mesh, MeshProblem, Solid};
 pub use geometry::state::State;
 pub use geometry::supports::Supports;

@@ -189,6 +189,11 @@ static BODY: Table = Table {
                 Holds::Quantity(LENGTH),
                 "How far corners of one face may be from its plane; from rounding where it is left out.",
             ),
+            key(
+                "corner_radius",
+                Holds::Quantity(LENGTH),
+                "Radius of the body's edges and corners: its faces stay where they are, and it rolls over what is between them. Sharp where it is left out.",
+            ),
             key("density", Holds::Quantity(DENSITY), "Density of the body, in place of a mass."),
             key(
                 "centre",
@@ -253,6 +258,12 @@ static BODY: Table = Table {
             ways: &[way(When::Has("inertia"), &[], &[])],
             missing: "three moments about the mass centre: the body is not homogeneous",
             help: "",
+        },
+        Rule {
+            when: When::Has("corner_radius"),
+            ways: WITH_FRICTION,
+            missing: "a friction, beside a corner_radius",
+            help: "a body with round edges rolls, and friction says how; it may be 0",
         },
         RULES_OF_FRICTION[0],
         RULES_OF_FRICTION[1],

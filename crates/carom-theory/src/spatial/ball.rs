@@ -85,7 +85,8 @@ impl Ball {
     pub fn steepest(&self, flank: f64) -> Result<f64, OutsideDomain> {
         self.check()?;
         let square = Self::square(flank)?;
-        let holds = if flank == 0.0 { self.friction } else { Groove { flank, friction: self.friction }.holding()? };
+        let holds =
+            if flank == 0.0 { self.friction } else { Groove { flank, friction: self.friction }.holding()? };
         Ok(holds * (square + self.share) / self.share)
     }
 

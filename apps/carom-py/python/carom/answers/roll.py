@@ -266,7 +266,7 @@ class SpatialContact:
 class SpatialEnd:
     """How it ends."""
 
-    state: Literal["at rest", "balanced", "overturned", "strikes reached", "no consistent outcome", "several ways on", "budget spent"]
+    state: Literal["at rest", "balanced", "flat", "overturned", "strikes reached", "no consistent outcome", "several ways on", "budget spent"]
     """In which way."""
     t_s: float
     """When that is so [s]."""
@@ -420,7 +420,7 @@ class SpatialStage:
     """End [s]."""
     held: list[str]
     """The contacts that are held."""
-    name: Literal["flight", "pivot", "edge", "rest", "slide"]
+    name: Literal["flight", "pivot", "edge", "rest", "slide", "roll"]
     """What it does: pivot about one contact, turn about an edge, which is two."""
     start_s: float
     """Start [s]."""
@@ -506,6 +506,8 @@ class ThrownBody:
     """False where the file's surface is not convex: then mass centre and inertia are those of the surface, and
     the plane is touched by its hull.
     """
+    corner_radius_m: float | None = None
+    """Radius of its edges and corners [m]; null where they are sharp."""
     density_kg_m3: float
     """Mass over volume [kg/m³]."""
     faces: list[ThrownFace]
@@ -527,7 +529,9 @@ class ThrownBody:
     shape: Literal["box", "vertices", "file"]
     """box, vertices or file."""
     vertices: list[ThrownVertex]
-    """Vertices of the hull: their names, which are the numbers of the points, and their places [m]."""
+    """Vertices of the hull, as drawn and not rounded: their names, which are the numbers of the points, and
+    their places [m].
+    """
     volume_m3: float
     """Volume [m³]."""
 

@@ -6,7 +6,7 @@ use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE, UNIT_LENGTH};
 use carom_impact::ImpactError;
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::{acos, cos};
-use carom_num::{Mat3, Vec3};
+use carom_num::{Mat3, Rotation, Vec3};
 use thiserror::Error;
 
 /// A rigid body with the points that it may stand on.
@@ -135,7 +135,9 @@ impl Body {
         if features.is_empty() || features.len() > Supports::MOST {
             problems.push(BodyProblem::Count { count: features.len() });
         }
-        problems.extend(features.iter().enumerate().flat_map(|(support, feature)| own_problems(support, feature)));
+        problems.extend(
+            features.iter().enumerate().flat_map(|(support, feature)| own_problems(support, feature)),
+        );
         let reach = features.iter().map(Feature::reach).fold(0.0, f64::max);
         for (second, b) in features.iter().enumerate() {
             for (first, a) in features.iter().enumerate().take(second) {
@@ -145,7 +147,7 @@ impl Body {
                 }
             }
         }
-        if reach == 0.0 && features.len() == 1 {
+        if features.len() == 1 && features[0].is_sharp() && reach == 0.0 {
             problems.push(BodyProblem::Central);
         }
         let mobility = inertia.inverse();
@@ -154,7 +156,7 @@ impl Body {
                 let supports = features.iter().map(Feature::centre).collect();
                 let round = !features.iter().all(Feature::is_sharp);
                 Ok(Self { mass, inertia, mobility, supports, features, round, reach })
-            },
+            }
             _ => Err(problems),
         }
     }
@@ -209,6 +211,20 @@ impl Body {
     /// ```
     pub fn reach(&self) -> f64 {
         self.reach
+    }
+
+    /// The height of its lowest place over the mass centre, which is below it: negative \[m\].
+    ///
+    /// # Example
+    /// A cube of 1 m stands on its lower face.
+    /// ```
+    /// use carom_motion::spatial::examples;
+    /// assert_eq!(examples::cube().lowest(carom_num::Rotation::NONE), -0.5);
+    /// ```
+    pub fn lowest(&self, attitude: Rotation) -> f64 {
+        let up = attitude.undo(Vec3::Z);
+        let height = |feature: &Feature| attitude.apply(feature.point).z - feature.depth(up);
+        self.features.iter().map(height).fold(f64::INFINITY, f64::min)
     }
 
     /// The middle of the supports, body axes \[m\].
@@ -276,7 +292,6 @@ pub(in crate::spatial) fn principal_range(m: Mat3) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use carom_num::Rotation;
 
     #[test]
     fn the_principal_range_holds_the_moments() {

@@ -1,7 +1,6 @@
 //! What of a body can touch a plane: points and circles, sharp or rounded.
 
 use super::posture::{Bend, Height, moved};
-use crate::tolerance::FLAT;
 use carom_num::{Rotation, Vec3};
 
 /// A point or a circle of a body, or the ball or ring that rounds it.
@@ -37,6 +36,7 @@ impl Feature {
 
     /// A circle about a centre, from the mass centre, with a unit axis, body axes, and a radius \[m\].
     pub fn circle(centre: Vec3, axis: Vec3, radius: f64) -> Self {
+        let axis = if radius == 0.0 { Vec3::ZERO } else { axis };
         Self { point: centre, axis, circle: radius, radius: 0.0 }
     }
 
@@ -115,13 +115,26 @@ impl Feature {
         runs - turns * self.radius
     }
 
-    /// A bound on how fast that depth is accelerated, at spins and angular accelerations of these sizes: as long as a circle has not turned half of the way to flat.
-    pub(in crate::spatial) fn bend(&self, up: Vec3, [spin, turning]: [f64; 2]) -> Bend {
-        let Some(sine) = self.tilt(up) else { return Bend { most: 0.0, lasts: f64::INFINITY } };
-        let square = spin * spin;
-        let around = if square > 0.0 { 2.0 * square / sine.max(FLAT) } else { 0.0 };
-        let lasts = if spin > 0.0 { 0.5 * sine.max(FLAT) / spin } else { f64::INFINITY };
-        Bend { most: self.circle * (turning + square + around), lasts }
+    /// How fast that depth can change in a time that follows, where the spin is so and stays below a size, and so does its rate.
+    ///
+    /// With the part ω' of the spin across a circle's axis its sine s changes by |ω'| at most, and `|s̈| ≤ |ω̇| + |ω| |ω'| + ω'²/s`: as long as s is at least half
+    /// of what it is.
+    pub(in crate::spatial) fn bend(
+        &self,
+        [up, now]: [Vec3; 2],
+        [spin, turning]: [f64; 2],
+        time: f64,
+    ) -> Bend {
+        let Some(sine) = self.tilt(up) else { return Bend { lasts: f64::INFINITY, ..Bend::default() } };
+        let across = (self.axis.cross(now).norm() + turning * time).min(spin);
+        let lasts = if across > 0.0 { 0.5 * sine / across } else { f64::INFINITY };
+        let around = if across > 0.0 { 2.0 * across * across / sine } else { 0.0 };
+        Bend {
+            own: 0.0,
+            most: self.circle * (turning + spin * across + around),
+            lasts,
+            sinks: self.circle * across,
+        }
     }
 
     /// How much deeper that place has come under the centre since the body has turned, and how fast it does.

@@ -7,6 +7,7 @@ pub(in crate::spatial) mod hull;
 pub(in crate::spatial) mod plane;
 pub(in crate::spatial) mod polyhedron;
 pub(in crate::spatial) mod posture;
+pub(in crate::spatial) mod rounding;
 pub(in crate::spatial) mod solid;
 pub(in crate::spatial) mod state;
 pub(in crate::spatial) mod supports;

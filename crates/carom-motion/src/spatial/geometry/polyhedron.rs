@@ -121,6 +121,11 @@ impl Polyhedron {
         Ok(made)
     }
 
+    /// The same faces of other vertices, as many as these.
+    pub(super) fn with_vertices(&self, vertices: Vec<Vec3>) -> Self {
+        Self { vertices, ..self.clone() }
+    }
+
     /// Its vertices, in the order of the points that they were \[m\].
     pub fn vertices(&self) -> &[Vec3] {
         &self.vertices

@@ -15,11 +15,33 @@ pub(in crate::spatial) struct Height {
     pub(in crate::spatial) second: f64,
 }
 
-/// A bound on the acceleration of a height \[m/s²\], and for how long it holds \[s\].
-#[derive(Clone, Copy, Debug)]
+/// What a height does not exceed in a time that follows.
+#[derive(Clone, Copy, Debug, Default)]
 pub(in crate::spatial) struct Bend {
+    /// The acceleration of the height of what does not move along the body \[m/s²\].
+    pub(in crate::spatial) own: f64,
+    /// That of the height itself, for as long as `lasts` \[s\].
     pub(in crate::spatial) most: f64,
     pub(in crate::spatial) lasts: f64,
+    /// How fast circles sink or rise under what does not move along the body, all the time \[m/s\].
+    pub(in crate::spatial) sinks: f64,
+}
+
+impl Bend {
+    /// Of a height that another bounded one is added to.
+    pub(in crate::spatial) fn and(self, other: Self) -> Self {
+        Self {
+            own: self.own + other.own,
+            most: self.most + other.most,
+            lasts: self.lasts.min(other.lasts),
+            sinks: self.sinks + other.sinks,
+        }
+    }
+
+    /// Of what does not move along the body.
+    pub(in crate::spatial) fn own(own: f64) -> Self {
+        Self { own, most: own, lasts: f64::INFINITY, sinks: 0.0 }
+    }
 }
 
 /// A body at one instant.
@@ -76,6 +98,16 @@ impl Height {
     /// `h + ḣ t − bound t²/2`.
     pub(in crate::spatial) fn safe(&self, bound: f64) -> f64 {
         first_root(self.value.max(0.0), self.rate, bound)
+    }
+
+    /// For how long a height stays above zero at least: by its acceleration while that is bounded, or by how fast circles can sink.
+    pub(in crate::spatial) fn clear(&self, bend: &Bend) -> f64 {
+        if bend.lasts == f64::INFINITY {
+            return self.safe(bend.most);
+        }
+        // What sinks now may do so already: that counts twice.
+        let sinking = Self { rate: self.rate - 2.0 * bend.sinks, ..*self }.safe(bend.own);
+        self.safe(bend.most).min(bend.lasts).max(sinking)
     }
 
     /// When a point that comes down has reached the plane at the latest, if its acceleration never exceeds `bound` and `ḣ² ≥ 2 bound h`: the first

@@ -11,7 +11,8 @@ use thiserror::Error;
 
 /// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal; or among several planes ([`World::among`]).
 ///
-/// Each point of the body is a support of each plane. The supports of the first plane have the numbers of the points, those of the next plane follow.
+/// Each feature of the body is a support of each plane. The supports of the first plane have the numbers of the features, those of the next plane follow. A body with balls or circles
+/// rolls: its world needs friction ([`World::with_friction`]).
 ///
 /// # Example
 /// On a plane that rises by 3 in 4, gravity of 10 m/s² has 6 m/s² along the plane.
@@ -193,10 +194,7 @@ impl World {
     /// A support by its number.
     pub(in crate::spatial) fn support(&self, number: usize) -> Support<'_> {
         let features = self.body.features();
-        Support {
-            feature: &features[number % features.len()],
-            plane: &self.planes[number / features.len()],
-        }
+        Support { feature: &features[number % features.len()], plane: &self.planes[number / features.len()] }
     }
 
     /// Its point, or the centre of its circle, from the mass centre, body axes \[m\].
@@ -204,7 +202,25 @@ impl World {
         self.support(number).feature.point
     }
 
-    /// Where it touches its plane, from the mass centre, body axes \[m\].
+    /// Where a support touches its plane, from the mass centre, body axes \[m\]: of a ball or a circle a matter of the attitude. Supports of the first plane have the numbers
+    /// of the body's features. `None` where there is no such support.
+    ///
+    /// # Example
+    /// A ball touches the floor with its lowest place, whichever of its own that is.
+    /// ```
+    /// use carom_motion::spatial::{Body, Feature, World};
+    /// use carom_num::{Mat3, Rotation, Vec3};
+    /// let ball = Body::of(1.0, Mat3::IDENTITY, vec![Feature::point(Vec3::ZERO).rounded(0.5)]).unwrap();
+    /// let world = World::new(ball, -Vec3::Z).unwrap();
+    /// let lying = Rotation::by(Vec3::X * std::f64::consts::FRAC_PI_2);
+    /// assert!((world.touches_at(0, lying).unwrap() + Vec3::Y * 0.5).norm() < 1e-15);
+    /// assert_eq!(world.touches_at(1, lying), None);
+    /// ```
+    pub fn touches_at(&self, support: usize, attitude: Rotation) -> Option<Vec3> {
+        (support < self.count()).then(|| self.arm(support, attitude))
+    }
+
+    /// The same of a support that there is.
     pub(in crate::spatial) fn arm(&self, number: usize, attitude: Rotation) -> Vec3 {
         let Support { feature, plane } = self.support(number);
         if feature.is_sharp() { feature.point } else { feature.arm(attitude.undo(plane.normal())) }
@@ -243,7 +259,7 @@ impl World {
         !self.body.is_round() || supports.iter().all(|i| feature(i).is_like(feature(first)))
     }
 
-    /// A support on the line of two others on its plane stays on that line as they move: true where it is as wide as they are at its place.
+    /// A support between two others on its plane stays on the line of their places as they move: true where its radii lie as its centre does between theirs.
     pub(in crate::spatial) fn is_between(&self, [a, b]: [usize; 2], support: usize) -> bool {
         if !self.body.is_round() {
             return true;
@@ -255,7 +271,8 @@ impl World {
         let near = ON_EDGE * self.body.reach();
         let wide = |of: fn(&Feature) -> f64| (of(from) + share * (of(to) - of(from)) - of(own)).abs() <= near;
         let on = (own.point - from.point - whole * share).norm() <= near;
-        on && from.has_axis_of(own) && to.has_axis_of(own) && wide(|f| f.circle) && wide(|f| f.radius)
+        let along = |end: &Feature| end.circle == 0.0 || own.circle == 0.0 || end.has_axis_of(own);
+        on && along(from) && along(to) && wide(|f| f.circle) && wide(|f| f.radius)
     }
 
     /// True where these supports are of one plane, or none.

@@ -75,8 +75,7 @@ impl Bounds {
         let reach = self.along.map_or(d, |u| d - u * d.dot(u)).norm();
         let turning = self.turning(most);
         let own = self.fall.dot(plane.normal()).abs() + reach * (turning + most * most);
-        let Bend { most, lasts } = feature.bend(up, [most, turning]);
-        Bend { most: own + most, lasts }
+        Bend::own(own).and(feature.bend([up, spin], [most, turning], length))
     }
 }
 

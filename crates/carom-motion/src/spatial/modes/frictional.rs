@@ -44,7 +44,11 @@ pub fn frictional_contacts<const N: usize>(
     let slips = slips_on_planes(world, before, touching, size);
     for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
         let normal = world.normal(i);
-        let fall = if held.contains(i) { 0.0 } else { normal.dot(before.velocity_of(world.arm(i, before.attitude))) };
+        let fall = if held.contains(i) {
+            0.0
+        } else {
+            normal.dot(before.velocity_of(world.arm(i, before.attitude)))
+        };
         set.velocity[k] = Vec3 { z: fall, ..set.frame[k] * slip };
     }
     Ok(set)

@@ -43,7 +43,8 @@ pub enum Mode {
         /// Which ones.
         held: Supports,
     },
-    /// Supports slide along their planes, or balls roll on them.
+    /// Supports slide along their planes. A body with balls or circles that rolls on one or two of them does so too, with none that slips: their places move along it, so that
+    /// nothing of it is a pivot or an edge.
     Slides {
         /// Those whose places on the planes do not slip, which the body turns about, or none.
         sticking: Supports,
@@ -143,16 +144,21 @@ pub(in crate::spatial) fn spanned(world: &World, bearing: Supports) -> Supports 
 /// Those of one plane.
 fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
     let bearing = bearing.common(own);
-    // Places of features that are not alike move against each other: which others are between them is a matter of the attitude.
+    // Places of features that are not alike move against each other: only those between two of them stay on the plane with them.
     if !world.are_alike(bearing) {
-        return bearing;
+        let between = |i: &usize| {
+            let ends = |a: usize| bearing.iter().filter(move |b| a < *b).map(move |b| [a, b]);
+            bearing.iter().flat_map(ends).any(|ends| world.is_between(ends, *i))
+        };
+        return bearing.union(own.iter().filter(between).collect());
     }
     let mode = Mode::holding(world, bearing, Rotation::NONE);
     let Mode::Rest { held } = mode else { return mode.held(world) };
     let normal = normal_of(world, held, Rotation::NONE);
     let (Some(first), Some(normal)) = (held.iter().next(), normal) else { return held };
-    let on =
-        |i: &usize| (world.point(*i) - world.point(first)).dot(normal).abs() <= ON_EDGE * world.body().reach();
+    let on = |i: &usize| {
+        (world.point(*i) - world.point(first)).dot(normal).abs() <= ON_EDGE * world.body().reach()
+    };
     let like = |i: &usize| world.are_alike([first, *i].into_iter().collect());
     held.union(own.iter().filter(on).filter(like).collect())
 }

@@ -25,7 +25,8 @@ pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> S
     let Some(foot) = mode.foot() else { return *state };
     let plane = world.support(foot).plane;
     let up = state.attitude.undo(plane.normal());
-    let wanted = wanted_normal(world, mode, up, state.attitude).filter(|_| world.is_of_one_plane(mode.held(world)));
+    let wanted =
+        wanted_normal(world, mode, up, state.attitude).filter(|_| world.is_of_one_plane(mode.held(world)));
     let turn = wanted.map_or(Vec3::ZERO, |normal| normal.cross(up));
     // In body axes: the normal n goes to where e is, R e' = z with e' = n.
     let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_SETTLING_TURN {

@@ -78,7 +78,11 @@ impl Stretch {
 
     /// The height of a support at an instant.
     pub(in crate::spatial) fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
-        at.height(&self.planes[world.plane_of(support)], world.support(support).feature, self.heights[support])
+        at.height(
+            &self.planes[world.plane_of(support)],
+            world.support(support).feature,
+            self.heights[support],
+        )
     }
 
     /// The normal of a support's plane at an instant, body axes.

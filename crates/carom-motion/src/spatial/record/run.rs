@@ -198,7 +198,7 @@ pub enum End {
         /// Three or more, not on one line: all that lie on planes.
         held: Supports,
     },
-    /// It stands still on a support or an edge, in an equilibrium that a touch ends; a ball or a capsule that lies still, too, which a touch would roll on.
+    /// It stands still on a support or an edge, in an equilibrium that a touch ends. A ball or a capsule that lies still does so too: a touch rolls it on.
     Balanced {
         /// What it stands on.
         held: Supports,

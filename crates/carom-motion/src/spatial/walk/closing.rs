@@ -83,15 +83,15 @@ impl Walker<'_> {
     /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge. On several planes they are
     /// the ones that they were.
     fn level_heights(&mut self, mode: Mode) {
-        let (world, held) = (self.world, mode.held(self.world));
+        let (world, held, attitude) = (self.world, mode.held(self.world), self.state.attitude);
         let rests = matches!(mode, Mode::Rest { .. });
         if world.is_of_one_plane(held) {
             match mode {
                 Mode::Edge { ends: [a, b], along, .. } => {
                     let (low, high) = (self.heights[a], self.heights[b]);
-                    let length = (world.point(b) - world.point(a)).norm();
-                    let sunk =
-                        |i: usize| low + (high - low) * (world.point(i) - world.point(a)).dot(along) / length;
+                    let place = |i: usize| world.arm(i, attitude);
+                    let length = (place(b) - place(a)).norm();
+                    let sunk = |i: usize| low + (high - low) * (place(i) - place(a)).dot(along) / length;
                     self.sink(a, sunk);
                 }
                 Mode::Pivot { support, .. } => {

@@ -3,7 +3,7 @@
 use super::gliding::Gliding;
 use super::motion::{Event, Motion};
 use crate::evaluated::{Quantity, evaluated};
-use crate::spatial::geometry::posture::{Bend, Height, Posture};
+use crate::spatial::geometry::posture::{Height, Posture};
 use crate::spatial::terms::Overturning;
 use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH};
 use carom_num::Vec3;
@@ -100,26 +100,24 @@ impl<M: Motion> Gliding<'_, '_, M> {
             if height.value.is_nan() {
                 return None;
             }
-            let Bend { most: bend, lasts } =
-                self.motion.bend(self.walker.world, support, &at, (until - x) * length);
-            let (whole, until) = (until, until.min(x + lasts / length));
-            if height.rate < 0.0 && 2.0 * bend * height.value < height.rate * height.rate {
-                let ends = [height.safe(bend), height.sure(bend)].map(|time| x + time / length);
+            let bend = self.motion.bend(self.walker.world, support, &at, (until - x) * length);
+            // Until here the bound on the acceleration holds.
+            let reach = until.min(x + bend.lasts / length);
+            if height.rate < 0.0 && 2.0 * bend.most * height.value < height.rate * height.rate {
+                let ends = [height.safe(bend.most), height.sure(bend.most)].map(|time| x + time / length);
                 // What hardly moves may come down long after this step.
                 let later =
-                    ends[0] >= until || ends[1] > until && self.look(step, support, until).value > 0.0;
-                if later && until < whole {
-                    x = until.max(x + LEAST_MARCH);
-                    continue;
-                }
-                if later {
+                    ends[0] >= reach || ends[1] > reach && self.look(step, support, reach).value > 0.0;
+                if later && reach >= until {
                     return None;
                 }
-                let ends = ends.map(|end| end.min(until));
-                let at = root_between(ends, length, &mut |x| self.look(step, support, x));
-                return (at < until).then_some(Found::at(at, Event::Touches(support)));
+                if !later {
+                    let ends = ends.map(|end| end.min(reach));
+                    let at = root_between(ends, length, &mut |x| self.look(step, support, x));
+                    return (at < until).then_some(Found::at(at, Event::Touches(support)));
+                }
             }
-            x += (height.safe(bend).min(lasts) / length).max(LEAST_MARCH);
+            x += (height.clear(&bend) / length).max(LEAST_MARCH);
         }
         None
     }

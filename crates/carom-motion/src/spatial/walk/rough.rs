@@ -98,7 +98,8 @@ impl Walker<'_> {
             asked.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
         let apart = !self.world.is_of_one_plane(asked);
         if slipping.is_empty() && !apart {
-            self.state = settled(self.world, BodyMode::holding(self.world, asked, self.state.attitude), &self.state);
+            self.state =
+                settled(self.world, BodyMode::holding(self.world, asked, self.state.attitude), &self.state);
             return Ok(());
         }
         // On one plane one that sticks says of the others that they only turn about it.
@@ -211,8 +212,10 @@ impl Walker<'_> {
             (Some(carries), _) => self.enter(carries, held),
             (None, Some(which)) => {
                 let world = self.world;
-                let alike =
-                    |i: &usize| world.support(*i).feature == world.support(which).feature && world.normal(*i) == world.normal(which);
+                let alike = |i: &usize| {
+                    world.support(*i).feature == world.support(which).feature
+                        && world.normal(*i) == world.normal(which)
+                };
                 let carries = self.slips_against(held.iter().filter(alike).collect())?;
                 self.enter(carries, held)
             }

@@ -73,6 +73,8 @@ pub(in crate::spatial) struct Sliding {
     pub(super) apart: bool,
     /// They are, and forces of theirs can balance each other.
     redundant: bool,
+    /// Their places move against each other: supports that hold more than they must agree only as far as the integration is exact.
+    loose: bool,
     /// What the normal of the one plane must keep to, body axes: that of the plane through three supports, or none.
     normal: Option<Vec3>,
     /// The other end of an edge from the foot, body axes.
@@ -139,6 +141,7 @@ impl Sliding {
             axes,
             apart,
             redundant: false,
+            loose: !world.are_alike(bearing),
             normal: normal.map(|n| if n.dot(axes[2]) < 0.0 { -n } else { n }),
             edge,
             speck,
@@ -164,7 +167,8 @@ impl Sliding {
             return self.projected(y, Supports::one(support));
         }
         let mut out = *y;
-        let point = self.carriers.iter().find(|c| c.support == support).map_or(self.foot.point, |c| c.feature.point);
+        let point =
+            self.carriers.iter().find(|c| c.support == support).map_or(self.foot.point, |c| c.feature.point);
         if self.carriers.iter().any(|c| c.sticks) {
             out[12] = 0.0;
         } else {
@@ -197,7 +201,8 @@ impl Sliding {
         }
         let now = self.moment(y);
         let time = |(c, b): (&Carrier, &Bearing)| {
-            let falls = c.feature.axis.cross(c.feature.axis.cross(b.up())).unit()?.dot(b.up().cross(now.spin));
+            let falls =
+                c.feature.axis.cross(c.feature.axis.cross(b.up())).unit()?.dot(b.up().cross(now.spin));
             (falls > 0.0).then_some(c.feature.tilt(b.up())? / falls)
         };
         let times = self.carriers.iter().zip(&now.bearings).filter_map(time);
@@ -354,7 +359,7 @@ impl Motion for Sliding {
         at.height(&self.planes[plane], feature, start)
     }
 
-    fn bend(&self, world: &World, support: usize, at: &Posture, _: f64) -> Bend {
+    fn bend(&self, world: &World, support: usize, at: &Posture, time: f64) -> Bend {
         let Support { feature, plane } = world.support(support);
         let (times, more) = BETWEEN;
         let unit = self.scales.time;
@@ -367,9 +372,10 @@ impl Motion for Sliding {
         };
         let own = own + (feature.point - self.foot.point).norm() * (turning + spin * spin);
         // The foot's centre rises by as much as a circle of it is lifted.
-        let of = |feature: &Feature, up: Vec3| feature.bend(up, [spin, turning]);
-        let (foot, other) = (of(&self.foot, at.up), of(feature, at.turned.undo(self.planes[world.plane_of(support)].then)));
-        Bend { most: own + foot.most + other.most, lasts: foot.lasts.min(other.lasts) }
+        let of = |feature: &Feature, up: Vec3| feature.bend([up, at.spin], [spin, turning], time);
+        let (foot, other) =
+            (of(&self.foot, at.up), of(feature, at.turned.undo(self.planes[world.plane_of(support)].then)));
+        Bend::own(own).and(foot).and(other)
     }
 
     fn smooth_events(&self) -> Vec<Event> {

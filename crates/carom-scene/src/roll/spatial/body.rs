@@ -8,9 +8,10 @@ use crate::input::Beside;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
+use crate::tolerance::FLAT_AS_WRITTEN;
 use crate::unit::Dimension;
 use carom_impact::spatial::{MOST_EXAMINED, RigidBody};
-use carom_motion::spatial::{Body, BodyProblem, Stance, State, Supports};
+use carom_motion::spatial::{Body, BodyProblem, Feature, Polyhedron, Stance, State, Supports};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Rotation, Vec3};
 
@@ -112,11 +113,10 @@ pub(super) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<Setup> {
 
 fn setup(shape: ThrownShape, heft: &MassSpec, body: Body, start: State, throw: Throw) -> Setup {
     let faces = shape.hull.faces();
-    let stances = (0..faces.len()).filter_map(|face| shape.hull.stance(face, heft.centre)).collect();
-    let corners = faces.iter().map(|face| face.corners.clone()).collect();
+    let stances = stances(&shape, heft.centre);
     Setup {
         points: shape.hull.sources().iter().map(ToString::to_string).collect(),
-        drawing: SpatialDrawing { corners: body.supports().to_vec(), faces: corners, lines: vec![] },
+        drawing: drawing(&shape, heft.centre),
         faces: faces.iter().map(|face| -face.normal).collect(),
         pyramid: None,
         thrown: Some(ThrownBody {
@@ -131,10 +131,30 @@ fn setup(shape: ThrownShape, heft: &MassSpec, body: Body, start: State, throw: T
     }
 }
 
-/// A body that is let go with its lowest support at a height \[m\].
+/// How it stands on each face, of which only the part between the round edges touches.
+fn stances(shape: &ThrownShape, centre: Vec3) -> Vec<Stance> {
+    let (touches, radius) =
+        shape.rounding.as_ref().map_or((&shape.hull, 0.0), |(rounding, radius)| (&rounding.inner, *radius));
+    let raised = |stance: Stance| Stance { height: stance.height + radius, ..stance };
+    (0..touches.faces().len()).filter_map(|face| touches.stance(face, centre)).map(raised).collect()
+}
+
+/// Its surface; a round edge is drawn with two facets.
+fn drawing(shape: &ThrownShape, centre: Vec3) -> SpatialDrawing {
+    let places = shape.rounding.as_ref().map(|(rounding, _)| &rounding.shown);
+    let size = |places: &[Vec3]| places.iter().map(|r| r.norm()).fold(0.0, f64::max);
+    let round = places.and_then(|places| Polyhedron::of_points(places, FLAT_AS_WRITTEN * size(places)).ok());
+    let hull = round.as_ref().unwrap_or(&shape.hull);
+    SpatialDrawing {
+        corners: hull.vertices().iter().map(|r| *r - centre).collect(),
+        faces: hull.faces().iter().map(|face| face.corners.clone()).collect(),
+        lines: vec![],
+    }
+}
+
+/// A body that is let go with its lowest place at a height \[m\].
 pub(super) fn released(body: &Body, attitude: Rotation, height: f64, velocity: Vec3, spin: Vec3) -> State {
-    let lowest = body.supports().iter().map(|r| attitude.apply(*r).z).fold(f64::INFINITY, f64::min);
-    State { centre: Vec3::Z * (height - lowest), attitude, velocity, spin }
+    State { centre: Vec3::Z * (height - body.lowest(attitude)), attitude, velocity, spin }
 }
 
 /// The rotation from the drawing's axes into the world's; `None`, and a problem, where there is none.
@@ -250,8 +270,7 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
 fn body(root: &Section<'_>, shape: &ThrownShape, heft: &MassSpec) -> Option<Body> {
     let ThrownShape { hull, word, .. } = shape;
     let wide = within_limits(root, shape);
-    let stances: Vec<Stance> =
-        (0..hull.faces().len()).filter_map(|face| hull.stance(face, heft.centre)).collect();
+    let stances = stances(shape, heft.centre);
     if let Some(out) = stances.iter().map(|s| -s.height).filter(|out| *out >= 0.0).max_by(f64::total_cmp) {
         unfit(root, "centre", format!("is {out:.6} m outside the hull: no body has its mass centre there"));
         return None;
@@ -259,8 +278,14 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &MassSpec) -> Option<Body
     if is_too_slender(root, shape, heft) {
         return None;
     }
-    let supports = hull.vertices().iter().map(|r| *r - heft.centre).collect();
-    match Body::new(heft.mass, heft.inertia, supports) {
+    let features = match &shape.rounding {
+        None => hull.vertices().iter().map(|r| Feature::point(*r - heft.centre)).collect(),
+        Some((rounding, radius)) => {
+            let ball = |r: &Vec3| Feature::point(*r - heft.centre).rounded(*radius);
+            rounding.inner.vertices().iter().map(ball).collect()
+        }
+    };
+    match Body::of(heft.mass, heft.inertia, features) {
         Ok(body) if !wide => Some(body),
         Ok(_) => None,
         Err(problems) => {

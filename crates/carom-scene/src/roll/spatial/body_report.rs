@@ -20,7 +20,9 @@ pub struct ThrownBodyReport {
     pub convex: bool,
     /// Points that were given.
     pub points: usize,
-    /// Vertices of the hull: their names, which are the numbers of the points, and their places [m].
+    /// Radius of its edges and corners [m]; null where they are sharp.
+    pub corner_radius_m: Option<f64>,
+    /// Vertices of the hull, as drawn and not rounded: their names, which are the numbers of the points, and their places [m].
     pub vertices: Vec<ThrownVertexReport>,
     /// How far a vertex was moved at most to bring it onto its faces [m].
     pub moved_m: f64,
@@ -111,6 +113,7 @@ impl ThrownBodyReport {
             file: thrown.shape.file.clone(),
             convex: thrown.shape.convex,
             points: thrown.shape.points,
+            corner_radius_m: thrown.shape.rounding.as_ref().map(|(_, radius)| *radius),
             vertices: vertices.collect(),
             moved_m: hull.moved(),
             volume_m3: thrown.shape.solid.volume,

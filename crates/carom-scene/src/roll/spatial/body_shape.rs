@@ -9,7 +9,7 @@ use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
 use crate::tolerance::{CONVEX, FLAT_AS_WRITTEN};
 use crate::unit::Dimension;
-use carom_motion::spatial::{HullProblem, Mesh, Polyhedron, Solid};
+use carom_motion::spatial::{HullProblem, Mesh, Polyhedron, Rounding, RoundingProblem, Solid};
 use carom_num::Vec3;
 
 /// Lengths of the box where no shape is written \[m\].
@@ -45,6 +45,8 @@ pub struct ThrownShape {
     pub convex: bool,
     /// Points that were given.
     pub points: usize,
+    /// What rounds its edges and corners, and the radius \[m\]; `None` where they are sharp.
+    pub rounding: Option<(Rounding, f64)>,
 }
 
 /// Points, the surface they are of, and the key they come from.
@@ -83,7 +85,38 @@ pub(super) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<ThrownShape
             flat: FLAT_AS_WRITTEN,
         },
     };
-    shaped(root, drawn, flatness)
+    let radius = root.value("corner_radius");
+    let shape = shaped(root, drawn, flatness)?;
+    match radius {
+        Some(radius) => rounded(root, shape, radius),
+        None => (!root.has("corner_radius")).then_some(shape),
+    }
+}
+
+/// The same shape with round edges.
+fn rounded(root: &Section<'_>, shape: ThrownShape, radius: f64) -> Option<ThrownShape> {
+    let unfit = |message: String| {
+        root.blame(ProblemKind::Geometry, "corner_radius", message);
+        None
+    };
+    if !shape.convex {
+        return unfit("rounds a convex body, and the surface of the file is not convex".to_owned());
+    }
+    let corner = |vertex: usize| shape.hull.sources().get(vertex).copied().unwrap_or_default();
+    match shape.hull.rounded(radius) {
+        Ok(rounding) => {
+            Some(ThrownShape { solid: rounding.solid, rounding: Some((rounding, radius)), ..shape })
+        }
+        Err(RoundingProblem::Vanishes { face }) => {
+            let corners = shape.hull.faces().get(face).map_or(&[][..], |face| &face.corners);
+            let names: Vec<String> = corners.iter().map(|vertex| corner(*vertex).to_string()).collect();
+            unfit(format!("is too large: nothing of the face {} would stay plane", names.join(", ")))
+        }
+        Err(RoundingProblem::Faces { vertex, faces }) => {
+            unfit(format!("rounds corners of three faces, and at point {} there are {faces}", corner(vertex)))
+        }
+        Err(problem) => unfit(problem.to_string()),
+    }
 }
 
 /// How long 1 in a file is \[m\].
@@ -169,6 +202,7 @@ fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<Thr
         solid: if convex { filled } else { own },
         hull,
         convex,
+        rounding: None,
     })
 }
 

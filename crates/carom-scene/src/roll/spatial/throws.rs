@@ -64,8 +64,7 @@ impl SpatialRollProblem {
         let (axis, turn) = axis_and_turn(start.attitude);
         // Adding zero leaves no −0.
         let list = |v: Vec3| format!("[{:?}, {:?}, {:?}]", v.x + 0.0, v.y + 0.0, v.z + 0.0);
-        let place = |r: &Vec3| start.place(*r).z;
-        let lowest = self.world.body().supports().iter().map(place).fold(f64::INFINITY, f64::min);
+        let lowest = start.centre.z + self.world.body().lowest(start.attitude);
         vec![
             format!("axis={}", list(axis)),
             format!("turn={turn:?}"),

@@ -64,7 +64,8 @@ impl Sliding {
     }
 
     pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
-        Grip { body: &self.body, bearings: &now.bearings }.reactions()
+        let grip = Grip { body: &self.body, bearings: &now.bearings };
+        if self.loose { grip.corrections() } else { grip.reactions() }
     }
 
     pub(super) fn turning(&self, now: &Moment, reactions: Option<&Reactions>) -> Vec3 {
@@ -77,9 +78,9 @@ impl Sliding {
         let flat = |v: Vec3| along(v.dot(now.axes[0]), v.dot(now.axes[1]));
         let turning = self.turning(now, reactions);
         // No height over the foot's own plane changes with it.
-        let bent = reactions.filter(|_| self.planes.len() > 1).map_or(Vec3::ZERO, |reactions| {
-            flat(self.centre_acceleration(now, reactions))
-        });
+        let bent = reactions
+            .filter(|_| self.planes.len() > 1)
+            .map_or(Vec3::ZERO, |reactions| flat(self.centre_acceleration(now, reactions)));
         let base = [along(y[7], y[8]), along(y[9], y[10]) + flat(self.rolled(now)), bent];
         // That of its centre does, where it is a circle.
         let lift = self.foot.sunk(now.turned, [self.axes[2], now.axes[2]], [now.spin, turning]);

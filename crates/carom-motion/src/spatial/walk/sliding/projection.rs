@@ -65,13 +65,7 @@ impl Sliding {
     }
 
     /// The motion with another velocity of the mass centre and another spin, body axes: by so much.
-    pub(in crate::spatial) fn changed(
-        &self,
-        y: &Vector,
-        velocity: Vec3,
-        spin: Vec3,
-        now: &Moment,
-    ) -> Vector {
+    pub(in crate::spatial) fn changed(&self, y: &Vector, velocity: Vec3, spin: Vec3, now: &Moment) -> Vector {
         let slip = velocity + spin.cross(now.foot);
         let mut out = *y;
         for (k, change) in [(4, spin.x), (5, spin.y), (6, spin.z)] {
