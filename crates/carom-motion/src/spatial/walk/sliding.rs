@@ -4,8 +4,9 @@
 //! the foot has gone and its slip (along the tangents of its plane), the work of friction, and the spin about that plane's normal once more. The slip and that
 //! spin are what all slips on that plane are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
 
-use crate::tolerance::{FLAT, SHORTEST_SPATIAL_STEP, SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
+use crate::tolerance::{SHORTEST_SPATIAL_STEP, SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 pub(in crate::spatial) mod carriers;
+mod events;
 mod load;
 pub(in crate::spatial) mod moment;
 mod projection;
@@ -18,7 +19,7 @@ use crate::spatial::geometry::posture::{Bend, Height, Posture, Upright};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::{Scales, Support, World};
-use crate::spatial::modes::grip::{Bearing, MOST_BEARING};
+use crate::spatial::modes::grip::MOST_BEARING;
 use crate::spatial::modes::mode::{Mode, normal_of};
 use crate::spatial::modes::stretch::{Heights, uprights};
 use carom_num::ode8::Step;
@@ -87,6 +88,13 @@ pub(in crate::spatial) struct Sliding {
     most: [f64; 3],
 }
 
+/// From the foot to the other end of the edge that carries a body, body axes.
+fn edge_from(world: &World, foot: &Feature, mode: Mode) -> Option<Vec3> {
+    let Mode::Edge { ends, .. } = mode else { return None };
+    let [a, b] = ends.map(|end| world.point(end) - foot.point);
+    Some(if a.norm() > b.norm() { a } else { b })
+}
+
 impl Sliding {
     /// The stretch that starts from a state. `None` without friction, and where no support carries the body or more do than [`MOST_BEARING`].
     pub(super) fn from(
@@ -114,13 +122,7 @@ impl Sliding {
         let (foot_rests, several_rest) = (resting.iter().any(|c| c.is_foot), resting.len() > 1);
         let apart = !(world.is_of_one_plane(bearing) && world.are_alike(bearing));
         let mode = Mode::holding(world, bearing, state.attitude);
-        let edge = match mode {
-            Mode::Edge { ends, .. } if !apart => {
-                let [a, b] = ends.map(|end| world.point(end) - foot.point);
-                Some(if a.norm() > b.norm() { a } else { b })
-            }
-            _ => None,
-        };
+        let edge = if apart { None } else { edge_from(world, &foot, mode) };
         let flat = matches!(mode, Mode::Rest { .. }) && !apart;
         let normal = flat.then(|| normal_of(world, bearing, state.attitude)).flatten();
         let frame = world.planes()[plane].axes();
@@ -185,28 +187,6 @@ impl Sliding {
 
     pub(in crate::spatial) fn mass(&self) -> f64 {
         self.body.mass()
-    }
-
-    /// Circles that touch may come to lie flat.
-    fn flattens(&self) -> impl Iterator<Item = Event> {
-        let circles = self.carriers.iter().filter(|c| c.feature.circle > 0.0);
-        circles.map(|c| Event::Flattens(c.support))
-    }
-
-    /// In what time the first of them would lie flat, were it to go on as it does \[s\].
-    fn flat_in(&self, y: &Vector) -> f64 {
-        let round = self.carriers.iter().any(|c| c.feature.circle > 0.0);
-        if !round {
-            return f64::INFINITY;
-        }
-        let now = self.moment(y);
-        let time = |(c, b): (&Carrier, &Bearing)| {
-            let falls =
-                c.feature.axis.cross(c.feature.axis.cross(b.up())).unit()?.dot(b.up().cross(now.spin));
-            (falls > 0.0).then_some(c.feature.tilt(b.up())? / falls)
-        };
-        let times = self.carriers.iter().zip(&now.bearings).filter_map(time);
-        times.fold(f64::INFINITY, f64::min)
     }
 
     pub(super) fn gravity_size(&self) -> f64 {
@@ -379,51 +359,11 @@ impl Motion for Sliding {
     }
 
     fn smooth_events(&self) -> Vec<Event> {
-        if self.redundant {
-            // How they share is open: they go on as long as some forces let them.
-            let idle = self.carriers.iter().enumerate().filter(|(_, c)| c.spare > 0.0);
-            let lets = idle.map(|(place, c)| Event::Lets { support: c.support, place });
-            return lets.chain([Event::Gives]).chain(self.flattens()).collect();
-        }
-        let lets = self.carriers.iter().enumerate();
-        let mut events: Vec<Event> =
-            lets.map(|(place, c)| Event::Lets { support: c.support, place }).collect();
-        let slips = self.carriers.iter().filter(|c| c.sticks).map(|c| Event::Slips(c.support));
-        events.extend(slips);
-        events.extend(self.flattens());
-        if self.carriers.len() == 1 {
-            events.push(Event::Jams);
-        }
-        events
+        self.events()
     }
 
     fn value(&self, event: &Event, y: &Vector, _: &Posture) -> f64 {
-        let now = self.moment(y);
-        let Some(reactions) = self.reactions(&now) else { return f64::NAN };
-        match *event {
-            // One support that slides is left to itself where its force turns; where it grows without bound instead, the force has the sign of its regularity.
-            Event::Lets { place, .. } if self.carriers.len() == 1 => {
-                reactions.normals[place] * reactions.regularity
-            }
-            Event::Lets { place, .. } => reactions.normals[place] + self.carriers[place].spare,
-            Event::Slips(support) => {
-                let Some(k) = self.carriers.iter().position(|c| c.support == support) else {
-                    return f64::INFINITY;
-                };
-                let normal = reactions.normals[k];
-                let across = now.bearings[k].along(reactions.forces[k]);
-                let most = self.carriers[k].friction * normal;
-                most * most - across.dot(across)
-            }
-            Event::Gives => self.left(&now),
-            Event::Flattens(support) => {
-                let carrier = self.carriers.iter().zip(&now.bearings).find(|(c, _)| c.support == support);
-                let tilt = carrier.and_then(|(c, b)| c.feature.tilt(b.up()));
-                tilt.map_or(f64::INFINITY, |sine| sine - FLAT)
-            }
-            Event::Jams => reactions.regularity,
-            _ => f64::INFINITY,
-        }
+        self.event_value(event, y)
     }
 
     fn leans_over(&self) -> Option<Vec3> {

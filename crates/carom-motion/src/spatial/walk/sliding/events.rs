@@ -1,0 +1,81 @@
+//! What may end a stretch in which supports slide or roll.
+
+use super::super::motion::Event;
+use super::carriers::Carrier;
+use super::{Sliding, Vector};
+use crate::spatial::modes::grip::Bearing;
+use crate::tolerance::FLAT;
+
+impl Sliding {
+    /// What may end the stretch, but for touches.
+    pub(super) fn events(&self) -> Vec<Event> {
+        if self.redundant {
+            // How they share is open: they go on as long as some forces let them.
+            let idle = self.carriers.iter().enumerate().filter(|(_, c)| c.spare > 0.0);
+            let lets = idle.map(|(place, c)| Event::Lets { support: c.support, place });
+            return lets.chain([Event::Gives]).chain(self.flattens()).collect();
+        }
+        let lets = self.carriers.iter().enumerate();
+        let mut events: Vec<Event> =
+            lets.map(|(place, c)| Event::Lets { support: c.support, place }).collect();
+        let slips = self.carriers.iter().filter(|c| c.sticks).map(|c| Event::Slips(c.support));
+        events.extend(slips);
+        events.extend(self.flattens());
+        if self.carriers.len() == 1 {
+            events.push(Event::Jams);
+        }
+        events
+    }
+
+    /// The value of an event's function: positive as long as it has not come.
+    pub(super) fn event_value(&self, event: &Event, y: &Vector) -> f64 {
+        let now = self.moment(y);
+        let Some(reactions) = self.reactions(&now) else { return f64::NAN };
+        match *event {
+            // One support that slides is left to itself where its force turns; where it grows without bound instead, the force has the sign of its regularity.
+            Event::Lets { place, .. } if self.carriers.len() == 1 => {
+                reactions.normals[place] * reactions.regularity
+            }
+            Event::Lets { place, .. } => reactions.normals[place] + self.carriers[place].spare,
+            Event::Slips(support) => {
+                let Some(k) = self.carriers.iter().position(|c| c.support == support) else {
+                    return f64::INFINITY;
+                };
+                let normal = reactions.normals[k];
+                let across = now.bearings[k].along(reactions.forces[k]);
+                let most = self.carriers[k].friction * normal;
+                most * most - across.dot(across)
+            }
+            Event::Gives => self.left(&now),
+            Event::Flattens(support) => {
+                let carrier = self.carriers.iter().zip(&now.bearings).find(|(c, _)| c.support == support);
+                let tilt = carrier.and_then(|(c, b)| c.feature.tilt(b.up()));
+                tilt.map_or(f64::INFINITY, |sine| sine - FLAT)
+            }
+            Event::Jams => reactions.regularity,
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Circles that touch may come to lie flat.
+    fn flattens(&self) -> impl Iterator<Item = Event> {
+        let circles = self.carriers.iter().filter(|c| c.feature.circle > 0.0);
+        circles.map(|c| Event::Flattens(c.support))
+    }
+
+    /// In what time the first of them would lie flat, were it to go on as it does \[s\].
+    pub(super) fn flat_in(&self, y: &Vector) -> f64 {
+        let round = self.carriers.iter().any(|c| c.feature.circle > 0.0);
+        if !round {
+            return f64::INFINITY;
+        }
+        let now = self.moment(y);
+        let time = |(c, b): (&Carrier, &Bearing)| {
+            let falls =
+                c.feature.axis.cross(c.feature.axis.cross(b.up())).unit()?.dot(b.up().cross(now.spin));
+            (falls > 0.0).then_some(c.feature.tilt(b.up())? / falls)
+        };
+        let times = self.carriers.iter().zip(&now.bearings).filter_map(time);
+        times.fold(f64::INFINITY, f64::min)
+    }
+}
