@@ -362,7 +362,7 @@ fn what_cannot_be_rounded_is_told() {
     let told = |source: &str| parse(source).unwrap_err();
     let large = told("box = ['16 mm', '16 mm', '16 mm']\ncorner_radius = '8 mm'\nfriction = 0.3");
     assert!(
-        large.contains("corner_radius is too large: nothing of the face 0, 2, 3, 1 would stay plane"),
+        large.contains("corner_radius: is too large: nothing of the face 0, 1, 5, 4 would stay plane"),
         "{large}"
     );
     let frictionless = told("corner_radius = '1 mm'");
