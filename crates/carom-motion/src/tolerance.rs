@@ -206,6 +206,8 @@ pub(crate) const RESTING_SLIP: f64 = 1e-11;
 pub(crate) const LEAST_GRIP: f64 = 1e-6;
 /// How far ahead, in the world's time, it is asked which supports slip once held ones can no longer hold: far enough for their cones to be clearly left.
 pub(crate) const SLIPS_AHEAD: f64 = 1e-6;
+/// A support that stays within this of its plane for a whole step, and does not leave it faster, in units of the reach and of the world's speed, goes along it.
+pub(crate) const SKIMS: f64 = 1e-14;
 /// A circle whose axis is off the plane's normal by no more than this sine lies flat.
 pub(crate) const FLAT: f64 = 1e-9;
 /// Two supports that are within this fraction of the edges of their cones come there at once.

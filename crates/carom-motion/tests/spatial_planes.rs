@@ -200,3 +200,24 @@ fn a_floor_that_is_given_twice_is_one_floor() {
     }
     assert!(strikes > 300 && slides > 100, "{strikes} {slides}");
 }
+
+/// A cube flies and turns along a wall that it touches with a face: what touches on without being pressed is seen at once, not looked for in ten million places of a step.
+#[test]
+fn what_goes_along_a_wall_takes_no_search() {
+    let sign = |k: u32, bit: u32| if k >> bit & 1 == 1 { 0.6 } else { -0.6 };
+    let corners = (0..8).map(|k| Vec3::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect();
+    let body = Body::new(1.0, Mat3::diagonal(0.5, 0.5, 0.5), corners).unwrap();
+    let walls = [Vec3::X, Vec3::Y, Vec3::Z].map(|normal| Plane::new(normal, 0.0).unwrap()).to_vec();
+    let world = among(body, Vec3::Z * -G, 0.3, walls);
+    let high = 0.6 * std::f64::consts::SQRT_2;
+    let start = State {
+        centre: Vec3::new(high, 0.6, high),
+        attitude: Rotation::by(Vec3::Y * (-0.75 * std::f64::consts::PI)),
+        velocity: Vec3::X * 4.9585589,
+        spin: Vec3::Y * 3.99643,
+    };
+    let options = Options { most_time: 0.3, ..Options::default() };
+    let out = run(&world, &start, &options, &mut ()).unwrap();
+    assert!(out.effort.steps > 2 && out.effort.event_evaluations < 20_000, "{:?}", out.effort);
+    assert!((out.state.centre.y - 0.6).abs() < 1e-12, "{:?}", out.state);
+}

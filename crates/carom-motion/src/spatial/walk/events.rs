@@ -5,13 +5,15 @@ use super::motion::{Event, Motion};
 use crate::evaluated::{Quantity, evaluated};
 use crate::spatial::geometry::posture::{Height, Posture};
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH};
+use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH, SKIMS};
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
 use carom_num::falls::first_fall;
 use carom_num::ode8::Step;
 
+/// Places of a step at which a support that never leaves its plane is looked at.
+const SKIMMED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
 const MOST_NEWTON: u32 = 20;
 
@@ -82,6 +84,14 @@ impl<M: Motion> Gliding<'_, '_, M> {
         first
     }
 
+    /// A support with this height goes along its plane for the whole step and never leaves it: beside a wall, where nothing presses it.
+    fn skims(&mut self, step: &Step<M::Y>, support: usize, height: &Height) -> bool {
+        let (low, slow) = (SKIMS * self.walker.scales.length, SKIMS * self.walker.scales.speed);
+        let stays = |height: &Height| height.value.abs() <= low && height.rate.abs() <= slow;
+        let beside = self.walker.world.planes().len() > 1;
+        beside && stays(height) && SKIMMED.into_iter().all(|x| stays(&self.look(step, support, x)))
+    }
+
     /// The place in a part of a step where a support is certain to come down next: before it nothing does.
     ///
     /// From a height h, its rate and a bound B on the size of its acceleration the plane is not reached for a while; and it is certain to be reached
@@ -97,7 +107,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
             let at = self.place(step, x).1;
             let height = self.height(support, &at);
             // It is noted, and nothing can be said of what comes after.
-            if height.value.is_nan() {
+            if height.value.is_nan() || x == from && self.skims(step, support, &height) {
                 return None;
             }
             let bend = self.motion.bend(self.walker.world, support, &at, (until - x) * length);
