@@ -1,8 +1,8 @@
 //! Rounded bodies: balls, capsules and tops that slide and roll, against closed forms.
 
-use carom_motion::spatial::{
-    Body, Feature, Friction, Mode, Options, Plane, Run, Samples, State, Supports, World, run,
-};
+use crate::bodies::{on, ran};
+
+use carom_motion::spatial::{Body, Feature, Mode, Plane, State, Supports};
 use carom_num::elementary::{atan2, cos, sin};
 use carom_num::{Mat3, Rotation, Vec3};
 use carom_theory::spatial::{Ball, TippeTop};
@@ -19,17 +19,6 @@ fn ball(Ball { radius, share, .. }: Ball, mass: f64) -> Body {
 /// Gravity over the plane z = 0 that descends along x.
 fn sloping(slope: f64) -> Vec3 {
     Vec3::new(sin(slope), 0.0, -cos(slope)) * G
-}
-
-fn on(body: Body, gravity: Vec3, friction: f64) -> World {
-    World::new(body, gravity).unwrap().with_friction(Friction::new(friction)).unwrap()
-}
-
-fn ran(world: &World, start: &State, time: f64) -> (Run, Samples) {
-    let mut samples = Samples::default();
-    let options = Options { most_time: time, ..Options::default() };
-    let out = run(world, start, &options, &mut samples).unwrap();
-    (out, samples)
 }
 
 #[test]

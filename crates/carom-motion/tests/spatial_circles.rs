@@ -1,7 +1,9 @@
 //! Bodies that roll on circles: discs, coins and cylinders, against closed forms.
 
+use crate::bodies::{on, ran};
+
 use carom_motion::spatial::{
-    Body, Budget, End, Feature, Friction, Mode, Options, Run, Samples, State, Supports, World, run,
+    Body, Budget, End, Feature, Friction, Mode, Options, Samples, State, Supports, World, run,
 };
 use carom_num::elementary::{cos, sin};
 use carom_num::{Mat3, Rotation, Vec3};
@@ -11,17 +13,6 @@ use std::f64::consts::TAU;
 const G: f64 = 9.81;
 const COIN: RollingDisc =
     RollingDisc { mass: 0.0075, radius: 0.0115, axial: 4.96e-7, across: 2.48e-7, gravity: G };
-
-fn on(body: Body, gravity: Vec3, friction: f64) -> World {
-    World::new(body, gravity).unwrap().with_friction(Friction::new(friction)).unwrap()
-}
-
-fn ran(world: &World, start: &State, time: f64) -> (Run, Samples) {
-    let mut samples = Samples::default();
-    let options = Options { most_time: time, ..Options::default() };
-    let out = run(world, start, &options, &mut samples).unwrap();
-    (out, samples)
-}
 
 /// A body without thickness, on a circle about its mass centre.
 fn disc(RollingDisc { mass, radius, axial, across, .. }: RollingDisc) -> Body {

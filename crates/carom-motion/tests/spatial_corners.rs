@@ -2,11 +2,10 @@
 
 #![allow(clippy::print_stdout, reason = "what random bodies come to is a measurement")]
 
-use crate::bodies;
+use crate::bodies::{self, rising};
 
 use carom_motion::spatial::{Budget, Clock, End, Friction, Options, Plane, Run, Samples, State, World, run};
 use carom_num::Vec3;
-use carom_num::elementary::{cos, sin};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -19,11 +18,6 @@ const DRIFT: f64 = 1e-10;
 const GAIN: f64 = 1e-7;
 /// How deep a point may be behind a plane at samples of dense output, in units of the reach.
 const DEPTH: f64 = 1e-8;
-
-/// A plane that rises by `tilt` against a direction.
-fn rising(tilt: f64, against: f64, offset: f64) -> Plane {
-    Plane::new(Vec3::new(sin(tilt) * cos(against), sin(tilt) * sin(against), cos(tilt)), offset).unwrap()
-}
 
 /// A body above a groove, in front of a wall on a floor, or above a corner of three planes.
 fn drawn(case: u64) -> (World, State) {

@@ -2,10 +2,11 @@
 
 #![allow(clippy::print_stdout, reason = "what random bodies come to is a measurement")]
 
+use crate::bodies::rising;
+
 use carom_motion::spatial::{
     Body, Clock, End, Feature, Friction, Mode, Options, Plane, Samples, State, World, run,
 };
-use carom_num::elementary::{cos, sin};
 use carom_num::{Mat3, Rotation, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -53,12 +54,16 @@ fn drawn(case: u64) -> (World, State, Vec<Drawn>) {
     let mut one = |least: f64, most: f64| rng.random_range(least..most);
     let inertia = Mat3::diagonal(one(0.09, 0.1), one(0.08, 0.1), one(0.06, 0.1));
     let body = Body::of(one(0.5, 2.0), inertia, drawn.iter().map(feature).collect()).unwrap();
-    let rising = |tilt: f64, against: f64| {
-        Plane::new(Vec3::new(sin(tilt) * cos(against), sin(tilt) * sin(against), cos(tilt)), 0.0).unwrap()
-    };
-    let planes: Vec<Plane> = (0..1 + case % 3)
-        .map(|k| if k == 0 { Plane::FLOOR } else { rising(one(0.3, 1.5), 2.1 * k as f64 + one(-0.4, 0.4)) })
-        .collect();
+    let planes: Vec<Plane> =
+        (0..1 + case % 3)
+            .map(|k| {
+                if k == 0 {
+                    Plane::FLOOR
+                } else {
+                    rising(one(0.3, 1.5), 2.1 * k as f64 + one(-0.4, 0.4), 0.0)
+                }
+            })
+            .collect();
     let attitude = Rotation::by(Vec3::new(one(-2.0, 2.0), one(-2.0, 2.0), one(-2.0, 2.0)));
     let out = planes.iter().fold(Vec3::ZERO, |sum, plane| sum + plane.normal()).unit().unwrap();
     let lift = planes.iter().map(|plane| (body.reach() + one(0.0, 0.1)) / plane.normal().dot(out));

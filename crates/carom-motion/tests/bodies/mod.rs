@@ -1,6 +1,7 @@
 //! Random bodies over a plane.
 
-use carom_motion::spatial::{Body, State, World};
+use carom_motion::spatial::{Body, Friction, Options, Plane, Run, Samples, State, World, run};
+use carom_num::elementary::{cos, sin};
 use carom_num::{Mat3, Rotation, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -32,4 +33,22 @@ pub(crate) fn drawn(case: u64) -> (World, State) {
         state.velocity = vector(&mut rng, 0.5);
     }
     (World::new(body, Vec3::Z * -9.81).unwrap(), state)
+}
+
+/// A plane that rises by `tilt` against a direction.
+pub(crate) fn rising(tilt: f64, against: f64, offset: f64) -> Plane {
+    Plane::new(Vec3::new(sin(tilt) * cos(against), sin(tilt) * sin(against), cos(tilt)), offset).unwrap()
+}
+
+/// A body over the plane z = 0, with friction.
+pub(crate) fn on(body: Body, gravity: Vec3, friction: f64) -> World {
+    World::new(body, gravity).unwrap().with_friction(Friction::new(friction)).unwrap()
+}
+
+/// A run for a time, and what is seen of it.
+pub(crate) fn ran(world: &World, start: &State, time: f64) -> (Run, Samples) {
+    let mut samples = Samples::default();
+    let options = Options { most_time: time, ..Options::default() };
+    let out = run(world, start, &options, &mut samples).unwrap();
+    (out, samples)
 }
