@@ -52,11 +52,11 @@ impl Feature {
 
     /// Distance of its farthest place from the mass centre \[m\].
     pub fn reach(&self) -> f64 {
-        let along = self.axis * self.axis.dot(self.point);
-        let aside = (self.point - along).norm() + self.circle;
         if self.circle == 0.0 {
             return self.point.norm() + self.radius;
         }
+        let along = self.axis * self.axis.dot(self.point);
+        let aside = (self.point - along).norm() + self.circle;
         (along.dot(along) + aside * aside).sqrt() + self.radius
     }
 
@@ -90,11 +90,15 @@ impl Feature {
         (self.circle > 0.0).then(|| self.lowest(up).1)
     }
 
+    /// In what time a circle lies flat, were it to turn on as it does \[s\]; `None` for one that does not come nearer to flat, and for a point.
+    pub(in crate::spatial) fn flat_in(&self, up: Vec3, spin: Vec3) -> Option<f64> {
+        let (lowest, sine) = self.lowest(up);
+        let falls = lowest.dot(up.cross(spin));
+        (falls > 0.0).then_some(sine / falls)
+    }
+
     /// Where it touches a plane whose normal is `up`, from the mass centre, body axes \[m\].
     pub(in crate::spatial) fn arm(&self, up: Vec3) -> Vec3 {
-        if self.circle == 0.0 {
-            return self.point - up * self.radius;
-        }
         self.point + self.lowest(up).0 * self.circle - up * self.radius
     }
 

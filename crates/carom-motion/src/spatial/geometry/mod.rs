@@ -2,7 +2,7 @@
 
 pub(in crate::spatial) mod body;
 pub(in crate::spatial) mod feature;
-pub(super) mod friction;
+pub(in crate::spatial) mod friction;
 pub(in crate::spatial) mod hull;
 pub(in crate::spatial) mod plane;
 pub(in crate::spatial) mod polyhedron;

@@ -1,7 +1,8 @@
 //! A convex polyhedron whose edges and corners are rounded: its faces stay where they are, and a ball of one radius rolls along inside of the rest.
 
+use super::hull::sides;
 use super::polyhedron::{Face, Polyhedron};
-use super::solid::Solid;
+use super::solid::{Solid, inertia_of};
 use carom_num::elementary::atan2;
 use carom_num::{Mat3, Vec3};
 use std::collections::BTreeMap;
@@ -85,12 +86,11 @@ impl Polyhedron {
             vertices.push(*place - back * radius);
         }
         let inner = self.with_vertices(vertices);
-        let keeps = |(face, k): (&Face, usize)| {
-            let (i, j) = (face.corners[k], face.corners[(k + 1) % face.corners.len()]);
+        let keeps = |(i, j): (usize, usize)| {
             let along = |of: &Self| of.vertices()[j] - of.vertices()[i];
             along(self).dot(along(&inner)) > 0.0
         };
-        let whole = |face: &Face| (0..face.corners.len()).all(|k| keeps((face, k)));
+        let whole = |face: &Face| sides(&face.corners).all(keeps);
         if let Some(face) = self.faces().iter().position(|face| !whole(face)) {
             return Err(RoundingProblem::Vanishes { face });
         }
@@ -113,14 +113,13 @@ impl Polyhedron {
 
     /// Its edges: the two vertices and the normals of the two faces.
     fn edges(&self) -> Vec<([usize; 2], [Vec3; 2])> {
-        let mut sides: BTreeMap<[usize; 2], Vec<Vec3>> = BTreeMap::new();
+        let mut found: BTreeMap<[usize; 2], Vec<Vec3>> = BTreeMap::new();
         for face in self.faces() {
-            for (k, i) in face.corners.iter().enumerate() {
-                let j = face.corners[(k + 1) % face.corners.len()];
-                sides.entry([*i.min(&j), *i.max(&j)]).or_default().push(face.normal);
+            for (i, j) in sides(&face.corners) {
+                found.entry([i.min(j), i.max(j)]).or_default().push(face.normal);
             }
         }
-        sides.into_iter().filter_map(|(ends, normals)| Some((ends, normals.try_into().ok()?))).collect()
+        found.into_iter().filter_map(|(ends, normals)| Some((ends, normals.try_into().ok()?))).collect()
     }
 }
 
@@ -159,7 +158,7 @@ fn square(a: Vec3) -> Mat3 {
 impl Sums {
     /// Of the inner polyhedron, a slab on each face, a sector of a cylinder along each edge and a sector of a ball at each vertex.
     fn of(inner: &Polyhedron, normals: &[Vec<Vec3>], radius: f64) -> Self {
-        let mut sums = Self { volume: 0.0, first: Vec3::ZERO, second: Mat3::IDENTITY * 0.0 };
+        let mut sums = Self { volume: 0.0, first: Vec3::ZERO, second: Mat3::ZERO };
         if let Ok(Solid { volume, centre, inertia }) = inner.solid() {
             let [a, b, c] = inertia.rows;
             let half = 0.5 * (a.x + b.y + c.z);
@@ -246,9 +245,7 @@ impl Sums {
     fn solid(&self) -> Solid {
         let centre = self.first / self.volume;
         let about = self.second - square(centre) * self.volume;
-        let [a, b, c] = about.rows;
-        let trace = a.x + b.y + c.z;
-        Solid { volume: self.volume, centre, inertia: Mat3::diagonal(trace, trace, trace) - about }
+        Solid { volume: self.volume, centre, inertia: inertia_of(about) }
     }
 }
 
@@ -294,6 +291,7 @@ mod tests {
         let moved: Vec<Vec3> = points.iter().map(|r| turn.apply(*r) + Vec3::new(3.0, 1.0, -2.0)).collect();
         let of = |points: &[Vec3]| Polyhedron::of_points(points, 1e-9).unwrap().rounded(0.1).unwrap().solid;
         let (one, other) = (of(&points), of(&moved));
+        assert_eq!(other.inertia, other.inertia.transposed(), "a body wants it symmetric to the last digit");
         assert!((one.volume - other.volume).abs() < 1e-14, "{one:?} {other:?}");
         let centre = turn.apply(one.centre) + Vec3::new(3.0, 1.0, -2.0) - other.centre;
         assert!(centre.norm() < 1e-13, "{centre:?}");

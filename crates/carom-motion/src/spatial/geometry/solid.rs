@@ -113,6 +113,15 @@ pub struct Solid {
 /// A facet that has a side, and whether the side runs from its lower to its higher corner there.
 type Use = (usize, bool);
 
+/// The inertia that belongs to the integral of the dyads of place, about the mass centre.
+pub(super) fn inertia_of(about: Mat3) -> Mat3 {
+    let [x, y, z] = about.rows;
+    let trace = x.x + y.y + z.z;
+    let inertia = Mat3::diagonal(trace, trace, trace) - about;
+    // Symmetric to the last digit.
+    (inertia + inertia.transposed()) * 0.5
+}
+
 impl Mesh {
     /// Volume, centre and inertia, exact but for rounding: sums over the tetrahedra between the mean of the vertices and each facet (by the
     /// divergence theorem).
@@ -183,12 +192,7 @@ impl Mesh {
         let volume = six / 6.0;
         let offset = first / (4.0 * six);
         let about = second * (1.0 / 120.0) - Mat3::dyad(offset, offset) * volume;
-        let [x, y, z] = about.rows;
-        let trace = x.x + y.y + z.z;
-        let inertia = Mat3::diagonal(trace, trace, trace) - about;
-        // Symmetric to the last digit.
-        let inertia = (inertia + inertia.transposed()) * 0.5;
-        Solid { volume, centre: from + offset, inertia }
+        Solid { volume, centre: from + offset, inertia: inertia_of(about) }
     }
 
     fn problems(&self) -> Vec<MeshProblem> {

@@ -316,10 +316,10 @@ impl Motion for Sliding {
         let now = self.moment(y);
         let whole = self.attitude.after(now.turned);
         let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
-        let lift = self.foot.sunk(now.turned, [self.axes[2], now.axes[2]], [now.spin, Vec3::ZERO]).value;
+        let [raised, ..] = self.raised(now.turned, now.spin, Vec3::ZERO);
         let [gone, slip] = [7, 9].map(|k| self.frame[0] * y[k] + self.frame[1] * y[k + 1]);
         State {
-            centre: self.place + gone + self.frame[2] * lift - attitude.apply(self.foot.point),
+            centre: self.place + gone + raised - attitude.apply(self.foot.point),
             attitude,
             velocity: slip + attitude.apply(now.foot.cross(now.spin)),
             spin: now.spin,
@@ -331,9 +331,7 @@ impl Motion for Sliding {
         let feature = world.support(support).feature;
         if plane == self.plane {
             // The foot goes along it.
-            let up = [self.axes[2], at.turned.undo(self.axes[2])];
-            let lift = self.foot.sunk(at.turned, up, [at.spin, at.turning]);
-            let base = [lift.value, lift.rate, lift.second].map(|v| self.frame[2] * v);
+            let base = self.raised(at.turned, at.spin, at.turning);
             return Posture { base, ..*at }.height(&self.planes[plane], feature, start);
         }
         at.height(&self.planes[plane], feature, start)

@@ -131,10 +131,14 @@ fn setup(shape: ThrownShape, heft: &MassSpec, body: Body, start: State, throw: T
     }
 }
 
+/// The polyhedron at whose vertices it touches with balls, and their radius \[m\]: 0 of a sharp one.
+fn touching(shape: &ThrownShape) -> (&Polyhedron, f64) {
+    shape.rounding.as_ref().map_or((&shape.hull, 0.0), |(rounding, radius)| (&rounding.inner, *radius))
+}
+
 /// How it stands on each face, of which only the part between the round edges touches.
 fn stances(shape: &ThrownShape, centre: Vec3) -> Vec<Stance> {
-    let (touches, radius) =
-        shape.rounding.as_ref().map_or((&shape.hull, 0.0), |(rounding, radius)| (&rounding.inner, *radius));
+    let (touches, radius) = touching(shape);
     let raised = |stance: Stance| Stance { height: stance.height + radius, ..stance };
     (0..touches.faces().len()).filter_map(|face| touches.stance(face, centre)).map(raised).collect()
 }
@@ -268,7 +272,7 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
 }
 
 fn body(root: &Section<'_>, shape: &ThrownShape, heft: &MassSpec) -> Option<Body> {
-    let ThrownShape { hull, word, .. } = shape;
+    let word = &shape.word;
     let wide = within_limits(root, shape);
     let stances = stances(shape, heft.centre);
     if let Some(out) = stances.iter().map(|s| -s.height).filter(|out| *out >= 0.0).max_by(f64::total_cmp) {
@@ -278,14 +282,9 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &MassSpec) -> Option<Body
     if is_too_slender(root, shape, heft) {
         return None;
     }
-    let features = match &shape.rounding {
-        None => hull.vertices().iter().map(|r| Feature::point(*r - heft.centre)).collect(),
-        Some((rounding, radius)) => {
-            let ball = |r: &Vec3| Feature::point(*r - heft.centre).rounded(*radius);
-            rounding.inner.vertices().iter().map(ball).collect()
-        }
-    };
-    match Body::of(heft.mass, heft.inertia, features) {
+    let (touches, radius) = touching(shape);
+    let feature = |r: &Vec3| Feature::point(*r - heft.centre).rounded(radius);
+    match Body::of(heft.mass, heft.inertia, touches.vertices().iter().map(feature).collect()) {
         Ok(body) if !wide => Some(body),
         Ok(_) => None,
         Err(problems) => {

@@ -65,17 +65,11 @@ impl Sliding {
 
     /// In what time the first of them would lie flat, were it to go on as it does \[s\].
     pub(super) fn flat_in(&self, y: &Vector) -> f64 {
-        let round = self.carriers.iter().any(|c| c.feature.circle > 0.0);
-        if !round {
+        if self.flattens().next().is_none() {
             return f64::INFINITY;
         }
         let now = self.moment(y);
-        let time = |(c, b): (&Carrier, &Bearing)| {
-            let falls =
-                c.feature.axis.cross(c.feature.axis.cross(b.up())).unit()?.dot(b.up().cross(now.spin));
-            (falls > 0.0).then_some(c.feature.tilt(b.up())? / falls)
-        };
-        let times = self.carriers.iter().zip(&now.bearings).filter_map(time);
-        times.fold(f64::INFINITY, f64::min)
+        let time = |(c, b): (&Carrier, &Bearing)| c.feature.flat_in(b.up(), now.spin);
+        self.carriers.iter().zip(&now.bearings).filter_map(time).fold(f64::INFINITY, f64::min)
     }
 }

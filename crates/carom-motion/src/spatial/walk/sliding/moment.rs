@@ -30,7 +30,7 @@ impl Sliding {
         let axes = self.axes.map(|axis| turned.undo(axis));
         let [east, north, up] = axes;
         let spin = spin + up * (yaw - up.dot(spin));
-        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
+        let gravity = self.gravity_in(axes);
         let free = self.body.mobility() * -spin.cross(self.body.inertia() * spin);
         let slip = east * y[9] + north * y[10];
         let (foot, own_drift) = (self.foot.arm(up), self.foot.drift(up, spin));
@@ -83,10 +83,21 @@ impl Sliding {
             .map_or(Vec3::ZERO, |reactions| flat(self.centre_acceleration(now, reactions)));
         let base = [along(y[7], y[8]), along(y[9], y[10]) + flat(self.rolled(now)), bent];
         // That of its centre does, where it is a circle.
-        let lift = self.foot.sunk(now.turned, [self.axes[2], now.axes[2]], [now.spin, turning]);
-        let raised = [lift.value, lift.rate, lift.second].map(|v| self.frame[2] * v);
+        let raised = self.raised(now.turned, now.spin, turning);
         let base = [0, 1, 2].map(|k| base[k] + raised[k]);
         Posture { turned: now.turned, up: now.axes[2], spin: now.spin, turning, from: self.foot.point, base }
+    }
+
+    /// How far the foot's centre has risen over the foot's plane, its velocity and its acceleration, world axes: none but of a circle.
+    pub(super) fn raised(&self, turned: Rotation, spin: Vec3, turning: Vec3) -> [Vec3; 3] {
+        let then = self.axes[2];
+        let lift = self.foot.sunk(turned, [then, turned.undo(then)], [spin, turning]);
+        [lift.value, lift.rate, lift.second].map(|v| self.frame[2] * v)
+    }
+
+    /// Gravity, body axes, where the tangents and the normal of the foot's plane are these.
+    fn gravity_in(&self, [east, north, up]: [Vec3; 3]) -> Vec3 {
+        east * self.gravity.x + north * self.gravity.y + up * self.gravity.z
     }
 
     /// How fast the foot's centre moves before the place where it touches, body axes.
@@ -99,10 +110,8 @@ impl Sliding {
         if self.foot.is_sharp() {
             return self.foot_acceleration(now, reactions);
         }
-        let [east, north, up] = now.axes;
-        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let (point, turning) = (self.foot.point, self.turning(now, Some(reactions)));
-        gravity
+        self.gravity_in(now.axes)
             + reactions.force / self.body.mass()
             + turning.cross(point)
             + now.spin.cross(now.spin.cross(point))
@@ -114,11 +123,9 @@ impl Sliding {
         if sticks {
             return Vec3::ZERO;
         }
-        let [east, north, up] = now.axes;
-        let gravity = east * self.gravity.x + north * self.gravity.y + up * self.gravity.z;
         let turning = self.turning(now, Some(reactions));
-        let swing = now.spin.cross(now.foot) + self.foot.drift(up, now.spin);
+        let swing = now.spin.cross(now.foot) + self.foot.drift(now.axes[2], now.spin);
         let bent = turning.cross(now.foot) + now.spin.cross(swing);
-        gravity + reactions.force / self.body.mass() + bent
+        self.gravity_in(now.axes) + reactions.force / self.body.mass() + bent
     }
 }
