@@ -168,6 +168,14 @@ pub(crate) const PRINCIPAL_SPARE: f64 = 1e-6;
 pub(crate) const THINNEST_BODY: f64 = 1e-6;
 /// Vertices this close to their faces are on them: two units in the last place.
 pub(crate) const VERTEX_ON_FACE: f64 = 4e-16;
+/// Corners of a plate are on one plane within this part of its size, and turn by more.
+pub(crate) const FLAT_PLATE: f64 = 1e-9;
+/// Edges whose directions have no larger sine between them are parallel: their ends touch instead.
+pub(crate) const PARALLEL_EDGES: f64 = 1e-9;
+/// A place is on a face or an edge up to this beyond its end, in units of the body's reach.
+pub(crate) const BEYOND_END: f64 = 1e-12;
+/// An edge may touch another in a direction this far, as a sine, from those between its faces.
+pub(crate) const BETWEEN_FACES: f64 = 1e-9;
 /// Three normals whose determinant is smaller leave the place of their common point open.
 pub(crate) const INDEPENDENT_NORMALS: f64 = 1e-6;
 /// A volume below this part of that of the box around is rounding.
@@ -208,6 +216,8 @@ pub(crate) const LEAST_GRIP: f64 = 1e-6;
 pub(crate) const SLIPS_AHEAD: f64 = 1e-6;
 /// A support that stays within this of its plane for a whole step, and does not leave it faster, in units of the reach and of the world's speed, goes along it.
 pub(crate) const SKIMS: f64 = 1e-14;
+/// The same of edges, and of faces on corners.
+pub(crate) const SKIMS_MEASURED: f64 = 1e-12;
 /// A circle whose axis is off the plane's normal by no more than this sine lies flat.
 pub(crate) const FLAT: f64 = 1e-9;
 /// Two supports that are within this fraction of the edges of their cones come there at once.

@@ -4,8 +4,8 @@
 
 use carom_impact::Law;
 use carom_impact::spatial::Conclusion;
-use carom_motion::planar::{self, Happening, Obstacle, Shape};
-use carom_motion::spatial::{self, Feature, Friction, Mode, Plane, Samples};
+use carom_motion::planar::{self, Happening, Shape};
+use carom_motion::spatial::{self, Feature, Friction, Mode, Obstacle, Plane, Samples};
 use carom_num::{Mat3, Rotation, Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -30,8 +30,17 @@ struct Drop {
     angle: f64,
     velocity: Vec2,
     spin: f64,
-    /// By how much the ground falls from the left to the middle, and rises from there to the right \[rad\]; `None` for level ground.
-    flanks: Option<[f64; 2]>,
+    ground: Ground,
+}
+
+/// What the box falls on.
+#[derive(Clone)]
+enum Ground {
+    Level,
+    /// By how much it falls from the left to the middle, and rises from there to the right \[rad\].
+    Groove([f64; 2]),
+    /// Plates from one end to the other, which the box falls off.
+    Plates(Vec<[Vec2; 2]>),
 }
 
 impl Drop {
@@ -58,7 +67,7 @@ fn drawn(case: u64) -> Drop {
         angle,
         velocity: Vec2::new(rng.random_range(-1.0..1.0), 0.0),
         spin: rng.random_range(-6.0..6.0),
-        flanks: None,
+        ground: Ground::Level,
     }
 }
 
@@ -66,7 +75,7 @@ fn drawn(case: u64) -> Drop {
 fn drawn_rounded(case: u64) -> Drop {
     let drop = if case.is_multiple_of(3) { drawn_in_a_groove(case) } else { drawn(case) };
     let radius = Pcg64::seed_from_u64(case + 2_000_000).random_range(0.002..0.05);
-    let steepest = drop.flanks.map_or(0.0, |[a, b]| a.max(b));
+    let steepest = if let Ground::Groove([a, b]) = drop.ground { a.max(b) } else { 0.0 };
     let centre = drop.centre + Vec2::new(0.0, radius / carom_num::elementary::cos(steepest));
     Drop { radius, centre, ..drop }
 }
@@ -85,21 +94,37 @@ fn drawn_in_a_groove(case: u64) -> Drop {
     let sides = flanks.map(carom_num::elementary::sin_cos);
     let least = lowest([sides[0].0, sides[0].1]).min(lowest([-sides[1].0, sides[1].1]));
     drop.centre.y = rng.random_range(0.0..0.1) - least;
-    Drop { flanks: Some(flanks), ..drop }
+    Drop { ground: Ground::Groove(flanks), ..drop }
+}
+
+/// Boxes that fall on a plate near its lower end, and from there on another one.
+fn drawn_over_an_end(case: u64) -> Drop {
+    let drop = drawn(case);
+    let mut rng = Pcg64::seed_from_u64(case + 3_000_000);
+    let [steep, other]: [f64; 2] = [0; 2].map(|_| rng.random_range(0.1..0.6));
+    let (sine, cosine) = carom_num::elementary::sin_cos(steep);
+    let upper = [Vec2::new(-cosine, sine) * 0.4, Vec2::new(0.0, 0.0)];
+    let (sine, cosine) = carom_num::elementary::sin_cos(other);
+    let end = Vec2::new(rng.random_range(-0.1..0.0), rng.random_range(-0.4..-0.2));
+    let lower = [end, end + Vec2::new(cosine, -sine) * 0.5];
+    let centre = Vec2::new(rng.random_range(-0.12..0.03), drop.centre.y + 0.12);
+    Drop { centre, ground: Ground::Plates(vec![upper, lower]), ..drop }
 }
 
 /// Where the box is in the plane after this time.
 fn in_the_plane(drop: &Drop, most_time: f64) -> (planar::State, usize) {
     let shape = Shape::new(drop.corners().to_vec(), drop.radius).unwrap();
     let body = planar::Body { shape, mass: 1.0, inertia: drop.inertia };
-    let line = |from: Vec2, to: Vec2| Obstacle::new(from, to, drop.friction, drop.restitution);
-    let ground = match drop.flanks.map(|flanks| flanks.map(carom_num::elementary::sin_cos)) {
-        None => vec![line(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0))],
+    let line = |from: Vec2, to: Vec2| planar::Obstacle::new(from, to, drop.friction, drop.restitution);
+    let ground = match &drop.ground {
+        Ground::Level => vec![line(Vec2::new(-9.0, 0.0), Vec2::new(9.0, 0.0))],
         // Each goes on a little under the other.
-        Some([(a, b), (c, d)]) => vec![
-            line(Vec2::new(-b, a) * 9.0, Vec2::new(b, -a)),
-            line(Vec2::new(-d, -c), Vec2::new(d, c) * 9.0),
-        ],
+        Ground::Groove(flanks) => {
+            let [(a, b), (c, d)] = flanks.map(carom_num::elementary::sin_cos);
+            let left = line(Vec2::new(-b, a) * 9.0, Vec2::new(b, -a));
+            vec![left, line(Vec2::new(-d, -c), Vec2::new(d, c) * 9.0)]
+        }
+        Ground::Plates(plates) => plates.iter().map(|[from, to]| line(*from, *to)).collect(),
     };
     let world = planar::World::of_one(Vec2::new(0.0, -G), body, ground, Law::Poisson);
     let start = planar::State {
@@ -124,12 +149,22 @@ fn in_space(drop: &Drop, most_time: f64) -> (spatial::Run, Samples) {
     let features = corners.into_iter().map(|r| Feature::point(r).rounded(drop.radius)).collect();
     let body = spatial::Body::of(1.0, inertia, features).unwrap();
     let friction = Friction::new(drop.friction).with_restitution(drop.restitution);
-    let mut world = spatial::World::new(body, Vec3::Z * -G).unwrap().with_friction(friction).unwrap();
-    if let Some(flanks) = drop.flanks {
-        let [(a, b), (c, d)] = flanks.map(carom_num::elementary::sin_cos);
-        let plane = |x: f64, z: f64| Plane::new(Vec3::new(x, 0.0, z), 0.0).unwrap();
-        world = world.among(vec![plane(a, b), plane(-c, d)]).unwrap();
-    }
+    let world = spatial::World::new(body, Vec3::Z * -G).unwrap().with_friction(friction).unwrap();
+    let world = match &drop.ground {
+        Ground::Level => world,
+        Ground::Groove(flanks) => {
+            let [(a, b), (c, d)] = flanks.map(carom_num::elementary::sin_cos);
+            let plane = |x: f64, z: f64| Plane::new(Vec3::new(x, 0.0, z), 0.0).unwrap();
+            world.among(vec![plane(a, b), plane(-c, d)]).unwrap()
+        }
+        Ground::Plates(plates) => {
+            let plate = |[from, to]: &[Vec2; 2]| {
+                let corner = |p: &Vec2, y: f64| Vec3::new(p.x, y, p.y);
+                Obstacle::plate(&[corner(from, -1.0), corner(to, -1.0), corner(to, 1.0), corner(from, 1.0)])
+            };
+            world.among(plates.iter().map(|ends| plate(ends).unwrap()).collect()).unwrap()
+        }
+    };
     let start = spatial::State {
         centre: Vec3::new(drop.centre.x, 0.0, drop.centre.y),
         attitude: Rotation::by(Vec3::Y * -drop.angle),
@@ -204,6 +239,15 @@ fn a_box_in_a_groove_moves_as_the_plane_says() {
 fn a_rounded_box_rolls_as_the_plane_says() {
     let all: Vec<_> =
         (0..CASES).into_par_iter().filter_map(|case| compared(case, &drawn_rounded(case))).collect();
+    assert!(all.len() > 100, "{}", all.len());
+    let ([_, near, _], [slid, stuck, _]) = told(all);
+    assert!(slid > 100 && stuck > 50 && near < 1e-11, "{near:e}");
+}
+
+#[test]
+fn a_box_that_falls_off_a_plate_moves_as_the_plane_says() {
+    let of = |case: u64| compared(case, &drawn_over_an_end(case));
+    let all: Vec<_> = (0..CASES).into_par_iter().filter_map(of).collect();
     assert!(all.len() > 100, "{}", all.len());
     let ([_, near, _], [slid, stuck, _]) = told(all);
     assert!(slid > 100 && stuck > 50 && near < 1e-11, "{near:e}");

@@ -63,8 +63,12 @@ impl Plane {
         if !offset.is_finite() {
             return Err(PlaneProblem::Offset { offset });
         }
-        let normal = normal / length;
-        Ok(Self { normal, tangents: normal.tangents(), offset })
+        Ok(Self::of_unit(normal / length, offset))
+    }
+
+    /// That of a unit normal.
+    pub(in crate::spatial) fn of_unit(normal: Vec3, offset: f64) -> Self {
+        Self { normal, tangents: normal.tangents(), offset }
     }
 
     /// Its unit normal, world axes.

@@ -4,6 +4,8 @@
 //! says how much they have risen since: so the height of a hop keeps its digits, however small it is beside the body.
 
 use super::feature::Feature;
+use super::pair::Moving;
+use super::state::State;
 use carom_num::poly::first_root;
 use carom_num::{Rotation, Vec3};
 
@@ -70,6 +72,22 @@ pub(in crate::spatial) struct Upright {
 }
 
 impl Posture {
+    /// The body, which started with an attitude and with the point that the motion is reckoned from at a place.
+    pub(in crate::spatial) fn moving(&self, start: Rotation, place: Vec3) -> Moving {
+        let whole = start.after(self.turned);
+        let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
+        let [gone, rate, second] = self.base;
+        let across = self.spin.cross(self.from);
+        let bent = self.turning.cross(self.from) + self.spin.cross(across);
+        let state = State {
+            centre: place + gone - attitude.apply(self.from),
+            attitude,
+            velocity: rate - attitude.apply(across),
+            spin: self.spin,
+        };
+        Moving { state, acceleration: second - attitude.apply(bent), turning: self.turning }
+    }
+
     /// The height over a plane of a feature of the body that started at a height.
     pub(in crate::spatial) fn height(&self, plane: &Upright, feature: &Feature, start: f64) -> Height {
         let up = self.turned.undo(plane.then);

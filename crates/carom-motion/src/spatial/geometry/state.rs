@@ -30,7 +30,24 @@ pub struct State {
     pub spin: Vec3,
 }
 
+/// Where a body is.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Pose {
+    /// Mass centre, world axes \[m\].
+    pub(in crate::spatial) centre: Vec3,
+    pub(in crate::spatial) attitude: Rotation,
+}
+
+impl Pose {
+    /// That of a body whose axes are the world's.
+    pub(in crate::spatial) const NONE: Self = Self { centre: Vec3::ZERO, attitude: Rotation::NONE };
+}
+
 impl State {
+    pub(in crate::spatial) fn pose(&self) -> Pose {
+        Pose { centre: self.centre, attitude: self.attitude }
+    }
+
     /// A body that turns about one of its supports, which stands at the world's origin.
     ///
     /// # Example
@@ -127,10 +144,13 @@ impl State {
 
 /// The height of a support over its plane, from a foot that stands on the same plane if there is one: then a body that is almost flat keeps its digits.
 pub(in crate::spatial) fn measured(world: &World, state: &State, foot: Option<usize>, support: usize) -> f64 {
-    let arm = world.arm(support, state.attitude);
+    if let Some(pair) = world.pair(support) {
+        return pair.meeting(state.pose()).gap;
+    }
+    let arm = world.arm(support, state.pose());
     let plane = world.support(support).plane;
     match foot.filter(|foot| world.plane_of(*foot) == world.plane_of(support)) {
-        Some(foot) => state.attitude.undo(plane.normal()).dot(arm - world.arm(foot, state.attitude)),
+        Some(foot) => state.attitude.undo(plane.normal()).dot(arm - world.arm(foot, state.pose())),
         None => plane.height(state.place(arm)),
     }
 }

@@ -11,7 +11,12 @@
 /// assert_eq!((touching.len(), touching.difference(held)), (4, striking));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Supports(u128);
+pub struct Supports([u64; WORDS]);
+
+/// Words of a set.
+const WORDS: usize = 16;
+/// Supports in a word.
+const IN_WORD: usize = u64::BITS as usize;
 
 impl Supports {
     /// How many supports a body may have.
@@ -20,9 +25,9 @@ impl Supports {
     /// ```
     /// use carom_motion::spatial::Supports;
     /// let all: Supports = (0..Supports::MOST).collect();
-    /// assert_eq!(all.len(), 128);
+    /// assert_eq!(all.len(), 1024);
     /// ```
-    pub const MOST: usize = 128;
+    pub const MOST: usize = WORDS * IN_WORD;
     /// None of them.
     ///
     /// # Example
@@ -30,7 +35,7 @@ impl Supports {
     /// use carom_motion::spatial::Supports;
     /// assert!(Supports::NONE.is_empty() && Supports::NONE == Supports::default());
     /// ```
-    pub const NONE: Self = Self(0);
+    pub const NONE: Self = Self([0; WORDS]);
 
     /// One support alone.
     ///
@@ -41,7 +46,7 @@ impl Supports {
     /// ```
     #[must_use]
     pub const fn one(support: usize) -> Self {
-        Self(1 << support)
+        Self::NONE.with(support)
     }
 
     /// These and one more.
@@ -54,8 +59,9 @@ impl Supports {
     /// assert_eq!((pair.len(), pair.with(2)), (2, pair));
     /// ```
     #[must_use]
-    pub const fn with(self, support: usize) -> Self {
-        Self(self.0 | 1 << support)
+    pub const fn with(mut self, support: usize) -> Self {
+        self.0[support / IN_WORD] |= 1 << (support % IN_WORD);
+        self
     }
 
     /// These and those.
@@ -67,8 +73,8 @@ impl Supports {
     /// assert_eq!(left.union(right).iter().collect::<Vec<_>>(), [0, 1, 2]);
     /// ```
     #[must_use]
-    pub const fn union(self, others: Self) -> Self {
-        Self(self.0 | others.0)
+    pub fn union(self, others: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] | others.0[word]))
     }
 
     /// These but for those.
@@ -80,8 +86,8 @@ impl Supports {
     /// assert_eq!((left.difference(right), right.difference(left)), (Supports::one(0), Supports::one(2)));
     /// ```
     #[must_use]
-    pub const fn difference(self, others: Self) -> Self {
-        Self(self.0 & !others.0)
+    pub fn difference(self, others: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] & !others.0[word]))
     }
 
     /// Those that are among these and those.
@@ -93,8 +99,8 @@ impl Supports {
     /// assert_eq!(left.common(right), Supports::one(1));
     /// ```
     #[must_use]
-    pub const fn common(self, others: Self) -> Self {
-        Self(self.0 & others.0)
+    pub fn common(self, others: Self) -> Self {
+        Self(std::array::from_fn(|word| self.0[word] & others.0[word]))
     }
 
     /// True where the support is one of them.
@@ -106,7 +112,7 @@ impl Supports {
     /// assert!(pair.contains(3) && !pair.contains(2));
     /// ```
     pub const fn contains(self, support: usize) -> bool {
-        self.0 >> support & 1 == 1
+        self.0[support / IN_WORD] >> (support % IN_WORD) & 1 == 1
     }
 
     /// How many they are.
@@ -116,8 +122,8 @@ impl Supports {
     /// use carom_motion::spatial::Supports;
     /// assert_eq!(Supports::one(0).with(3).with(127).len(), 3);
     /// ```
-    pub const fn len(self) -> usize {
-        self.0.count_ones() as usize
+    pub fn len(self) -> usize {
+        self.0.iter().map(|word| word.count_ones() as usize).sum()
     }
 
     /// True where there is none.
@@ -127,8 +133,8 @@ impl Supports {
     /// use carom_motion::spatial::Supports;
     /// assert!(Supports::one(4).difference(Supports::one(4)).is_empty());
     /// ```
-    pub const fn is_empty(self) -> bool {
-        self.0 == 0
+    pub fn is_empty(self) -> bool {
+        self == Self::NONE
     }
 
     /// Their numbers, the smallest first.
@@ -140,7 +146,14 @@ impl Supports {
     /// assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 7]);
     /// ```
     pub fn iter(self) -> impl Iterator<Item = usize> {
-        (0..Self::MOST).filter(move |i| self.contains(*i))
+        let of = |(word, mut left): (usize, u64)| {
+            std::iter::from_fn(move || {
+                let next = (left != 0).then(|| left.trailing_zeros() as usize);
+                left &= left.wrapping_sub(1);
+                next.map(|bit| word * IN_WORD + bit)
+            })
+        };
+        self.0.into_iter().enumerate().flat_map(of)
     }
 }
 
@@ -156,9 +169,9 @@ mod tests {
 
     #[test]
     fn a_set_holds_what_was_put_in() {
-        let set: Supports = [3, 0, 127].into_iter().collect();
-        assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 127]);
-        assert_eq!((set.len(), set.contains(3), set.contains(4)), (3, true, false));
-        assert_eq!(set.difference(Supports::one(3)), Supports::NONE.with(127).with(0));
+        let set: Supports = [3, 0, 127, 900].into_iter().collect();
+        assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 127, 900]);
+        assert_eq!((set.len(), set.contains(3), set.contains(4)), (4, true, false));
+        assert_eq!(set.difference(Supports::one(3)), Supports::NONE.with(127).with(0).with(900));
     }
 }

@@ -1,18 +1,23 @@
-//! A body among fixed planes, and the world's own units.
+//! A body among fixed obstacles, and the world's own units.
 
 use super::body::Body;
 use super::feature::Feature;
 use super::friction::{Friction, FrictionProblem};
+use super::hull::HullProblem;
+use super::obstacle::Obstacle;
+use super::pair::Pair;
 use super::plane::Plane;
+use super::polyhedron::Polyhedron;
 use super::supports::Supports;
-use crate::tolerance::ON_EDGE;
-use carom_num::{Rotation, Vec3};
+use super::surface::{Limit, Surface};
+use crate::tolerance::{ON_EDGE, ONE_SUPPORT};
+use carom_num::Vec3;
 use thiserror::Error;
 
-/// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal; or among several planes ([`World::among`]).
+/// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal; or among planes, plates and solids ([`World::among`]).
 ///
-/// Each feature of the body is a support of each plane. The supports of the first plane have the numbers of the features, those of the next plane follow. A body with balls or circles
-/// rolls: its world needs friction ([`World::with_friction`]).
+/// Each feature of the body is a support of each face of an obstacle. The supports of the first face have the numbers of the features, those of the next face follow; after all of them
+/// come the body's faces with the corners of obstacles, and its edges with their edges. A body with balls or circles rolls: its world needs friction ([`World::with_friction`]).
 ///
 /// # Example
 /// On a plane that rises by 3 in 4, gravity of 10 m/s² has 6 m/s² along the plane.
@@ -30,36 +35,46 @@ pub struct World {
     gravity: Vec3,
     friction: Option<Friction>,
     planes: Vec<Plane>,
+    /// Within what each of the planes is a face.
+    pub(super) limits: Vec<Vec<Limit>>,
+    pub(super) pairs: Vec<Pair>,
 }
 
 /// What a body cannot be among.
 ///
 /// # Example
 /// ```
-/// use carom_motion::spatial::{Friction, Plane, PlanesProblem, World, examples};
+/// use carom_motion::spatial::{Friction, Plane, ObstaclesProblem, World, examples};
 /// use carom_num::Vec3;
 /// let world = World::new(examples::cube(), Vec3::Z * -10.0).unwrap();
 /// let rough = world.clone().with_friction(Friction::new(0.3)).unwrap();
-/// assert_eq!(rough.among(vec![]), Err(PlanesProblem::None));
-/// assert_eq!(world.among(vec![Plane::FLOOR; 2]), Err(PlanesProblem::NothingSlides));
+/// assert_eq!(rough.among::<Plane>(vec![]), Err(ObstaclesProblem::None));
+/// assert_eq!(world.among(vec![Plane::FLOOR; 2]), Err(ObstaclesProblem::NothingSlides));
 /// ```
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum PlanesProblem {
+pub enum ObstaclesProblem {
     /// There are none.
-    #[error("there is no plane")]
+    #[error("there is no obstacle")]
     None,
     /// The world has no friction, so that nothing slides.
-    #[error("supports must be able to slide where there are several planes: the world has no friction")]
+    #[error("supports must be able to slide where there are obstacles: the world has no friction")]
     NothingSlides,
     /// More supports than a set of them holds.
-    #[error("{points} points and {planes} planes: allowed are {} pairs of them", Supports::MOST)]
+    #[error(
+        "{pairs} pairs of a point, edge or face of the body and one of an obstacle: allowed are {}",
+        Supports::MOST
+    )]
     Count {
-        /// Points of the body.
-        points: usize,
-        /// Planes.
-        planes: usize,
+        /// How many there are.
+        pairs: usize,
     },
+    /// A body with balls or circles, and obstacles that have ends.
+    #[error("a body with balls or circles touches planes without ends alone: an obstacle has edges")]
+    Round,
+    /// A body whose points have no hull with edges and faces, and obstacles that have ends.
+    #[error("the body needs edges and faces where an obstacle has ends: {0}")]
+    Shape(HullProblem),
     /// Friction coefficients for another number of supports.
     #[error("{0}")]
     Friction(FrictionProblem),
@@ -129,7 +144,14 @@ impl World {
 
     /// A body under gravity [m/s²] that [`World::new`] would accept.
     pub(in crate::spatial) fn of_checked(body: Body, gravity: Vec3) -> Self {
-        Self { body, gravity, friction: None, planes: vec![Plane::FLOOR] }
+        Self {
+            body,
+            gravity,
+            friction: None,
+            planes: vec![Plane::FLOOR],
+            limits: vec![vec![]],
+            pairs: vec![],
+        }
     }
 
     /// The same world, whose plane has friction: supports may slide. Without it no support that touches slides, whatever that takes.
@@ -153,10 +175,10 @@ impl World {
         Ok(Self { friction: Some(friction), ..self })
     }
 
-    /// The same world, with friction, where these planes stand in place of z = 0.
+    /// The same world, with friction, where these planes, plates and solids stand in place of z = 0.
     ///
     /// # Errors
-    /// The first problem. Friction that was given for each support is wanted for each support of each plane.
+    /// The first problem. Friction that was given for each support is wanted for each of all supports.
     ///
     /// # Example
     /// A groove of two planes that rise at 45° from the x axis.
@@ -168,88 +190,37 @@ impl World {
     /// let groove = world.with_friction(Friction::new(0.3)).unwrap().among(vec![flank(1.0), flank(-1.0)]);
     /// assert_eq!(groove.unwrap().planes().len(), 2);
     /// ```
-    pub fn among(self, planes: Vec<Plane>) -> Result<Self, PlanesProblem> {
-        let points = self.body.supports().len();
-        let Some(friction) = &self.friction else { return Err(PlanesProblem::NothingSlides) };
-        if planes.is_empty() {
-            return Err(PlanesProblem::None);
+    pub fn among<O: Into<Obstacle>>(self, obstacles: Vec<O>) -> Result<Self, ObstaclesProblem> {
+        let Some(friction) = &self.friction else { return Err(ObstaclesProblem::NothingSlides) };
+        if obstacles.is_empty() {
+            return Err(ObstaclesProblem::None);
         }
-        if points * planes.len() > Supports::MOST {
-            return Err(PlanesProblem::Count { points, planes: planes.len() });
+        let obstacles: Vec<Surface> = obstacles.into_iter().map(|obstacle| obstacle.into().0).collect();
+        let pairs = pairs_of(&self.body, &obstacles)?;
+        let faces = obstacles.into_iter().flat_map(|obstacle| obstacle.faces);
+        let (planes, limits): (Vec<_>, Vec<_>) = faces.map(|face| (face.plane, face.limits)).unzip();
+        let count = self.body.supports().len() * planes.len() + pairs.len();
+        if count > Supports::MOST {
+            return Err(ObstaclesProblem::Count { pairs: count });
         }
-        friction.check(points * planes.len()).map_err(PlanesProblem::Friction)?;
-        Ok(Self { planes, ..self })
+        friction.check(count).map_err(ObstaclesProblem::Friction)?;
+        Ok(Self { planes, limits, pairs, ..self })
     }
 
-    /// The planes that the body may touch.
+    /// The planes that the body may touch: those of faces too.
     pub fn planes(&self) -> &[Plane] {
         &self.planes
     }
 
-    /// How many supports there are.
-    pub(in crate::spatial) fn count(&self) -> usize {
-        self.body.supports().len() * self.planes.len()
-    }
-
-    /// A support by its number.
+    /// A support by its number: one of a face.
     pub(in crate::spatial) fn support(&self, number: usize) -> Support<'_> {
         let features = self.body.features();
         Support { feature: &features[number % features.len()], plane: &self.planes[number / features.len()] }
     }
 
-    /// Its point, or the centre of its circle, from the mass centre, body axes \[m\].
+    /// Its point, or the centre of its circle, from the mass centre, body axes \[m\]; of a face.
     pub(in crate::spatial) fn point(&self, number: usize) -> Vec3 {
         self.support(number).feature.point
-    }
-
-    /// Where a support touches its plane, from the mass centre, body axes \[m\]: of a ball or a circle a matter of the attitude. Supports of the first plane have the numbers
-    /// of the body's features. `None` where there is no such support.
-    ///
-    /// # Example
-    /// A ball touches the floor with its lowest place, whichever of its own that is.
-    /// ```
-    /// use carom_motion::spatial::{Body, Feature, World};
-    /// use carom_num::{Mat3, Rotation, Vec3};
-    /// let ball = Body::of(1.0, Mat3::IDENTITY, vec![Feature::point(Vec3::ZERO).rounded(0.5)]).unwrap();
-    /// let world = World::new(ball, -Vec3::Z).unwrap();
-    /// let lying = Rotation::by(Vec3::X * std::f64::consts::FRAC_PI_2);
-    /// assert!((world.touches_at(0, lying).unwrap() + Vec3::Y * 0.5).norm() < 1e-15);
-    /// assert_eq!(world.touches_at(1, lying), None);
-    /// ```
-    pub fn touches_at(&self, support: usize, attitude: Rotation) -> Option<Vec3> {
-        (support < self.count()).then(|| self.arm(support, attitude))
-    }
-
-    /// The same of a support that there is.
-    pub(in crate::spatial) fn arm(&self, number: usize, attitude: Rotation) -> Vec3 {
-        let Support { feature, plane } = self.support(number);
-        if feature.is_sharp() { feature.point } else { feature.arm(attitude.undo(plane.normal())) }
-    }
-
-    /// How fast the place where it touches moves, as seen from the mass centre, body axes [m/s].
-    pub(in crate::spatial) fn swing(&self, number: usize, attitude: Rotation, spin: Vec3) -> Vec3 {
-        let Support { feature, plane } = self.support(number);
-        if feature.is_sharp() {
-            return spin.cross(feature.point);
-        }
-        let up = attitude.undo(plane.normal());
-        spin.cross(feature.arm(up)) + feature.drift(up, spin)
-    }
-
-    /// The normal of its plane, world axes.
-    pub(in crate::spatial) fn normal(&self, number: usize) -> Vec3 {
-        self.support(number).plane.normal()
-    }
-
-    /// The supports of a plane.
-    pub(in crate::spatial) fn of_plane(&self, plane: usize) -> Supports {
-        let points = self.body.supports().len();
-        (plane * points..(plane + 1) * points).collect()
-    }
-
-    /// The plane of a support, by its number.
-    pub(in crate::spatial) fn plane_of(&self, support: usize) -> usize {
-        support / self.body.supports().len()
     }
 
     /// Their features are alike: places of them on one plane keep their distances.
@@ -275,12 +246,6 @@ impl World {
         on && along(from) && along(to) && wide(|f| f.circle) && wide(|f| f.radius)
     }
 
-    /// True where these supports are of one plane, or none.
-    pub(in crate::spatial) fn is_of_one_plane(&self, supports: Supports) -> bool {
-        let mut planes = supports.iter().map(|i| self.plane_of(i));
-        planes.next().is_none_or(|first| planes.all(|plane| plane == first))
-    }
-
     /// Friction of the planes; `None` where no support may slide.
     pub fn friction(&self) -> Option<&Friction> {
         self.friction.as_ref()
@@ -302,4 +267,30 @@ impl World {
         let speed = (g * length).sqrt();
         Scales { length, time: length / speed, speed, energy: self.body.mass() * g * length }
     }
+}
+
+/// What the body's edges and faces may touch of obstacles that have ends.
+fn pairs_of(body: &Body, obstacles: &[Surface]) -> Result<Vec<Pair>, ObstaclesProblem> {
+    if obstacles.iter().all(|obstacle| obstacle.corners.is_empty()) {
+        return Ok(vec![]);
+    }
+    if body.is_round() {
+        return Err(ObstaclesProblem::Round);
+    }
+    let (points, flatness) = (body.supports(), ONE_SUPPORT * body.reach());
+    let shape = Polyhedron::of_points(points, flatness).map_err(|problems| {
+        ObstaclesProblem::Shape(problems.into_iter().next().unwrap_or(HullProblem::Unclear { flatness }))
+    })?;
+    let own = Surface::of(&shape, points);
+    let mut pairs = vec![];
+    for obstacle in obstacles {
+        for face in &own.faces {
+            let of = |corner: &Vec3| Pair::Corner { face: face.clone(), corner: *corner };
+            pairs.extend(obstacle.corners.iter().map(of));
+        }
+        for edge in &own.edges {
+            pairs.extend(obstacle.edges.iter().map(|other| Pair::Cross { own: *edge, other: *other }));
+        }
+    }
+    Ok(pairs)
 }

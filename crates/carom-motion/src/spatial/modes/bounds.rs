@@ -2,6 +2,7 @@
 
 use super::mode::{Equations, Mode};
 use crate::spatial::geometry::body::principal_range;
+use crate::spatial::geometry::pair::Most;
 use crate::spatial::geometry::posture::{Bend, Posture};
 use crate::spatial::geometry::world::{Support, World};
 use crate::tolerance::ENERGY_ROOM;
@@ -63,6 +64,14 @@ impl Bounds {
         (self.pull + 0.5 * spin * spin * (self.largest - self.least)) / self.least
     }
 
+    /// What a spin, its rate and the acceleration of the mass centre do not exceed from an instant on.
+    pub(in crate::spatial) fn most(&self, spin: Vec3, time: f64) -> Most {
+        let most = self.spin.min(spin.norm() + self.turning(self.spin) * time);
+        let turning = self.turning(most);
+        let acceleration = self.fall.norm() + self.from.norm() * (turning + most * most);
+        Most { spin: most, turning, acceleration }
+    }
+
     /// A bound on the acceleration of a support's height from an instant on; the normal of its plane is `up` in body axes.
     pub(in crate::spatial) fn bend(
         &self,
@@ -70,10 +79,9 @@ impl Bounds {
         Support { feature, plane }: &Support<'_>,
         length: f64,
     ) -> Bend {
-        let most = self.spin.min(spin.norm() + self.turning(self.spin) * length);
+        let Most { spin: most, turning, .. } = self.most(spin, length);
         let d = feature.point - self.from;
         let reach = self.along.map_or(d, |u| d - u * d.dot(u)).norm();
-        let turning = self.turning(most);
         let own = self.fall.dot(plane.normal()).abs() + reach * (turning + most * most);
         Bend::own(own).and(feature.bend([up, spin], [most, turning], length))
     }
@@ -83,7 +91,7 @@ impl Bounds {
 mod tests {
     use super::*;
     use crate::spatial::geometry::body::Body;
-    use crate::spatial::geometry::state::State;
+    use crate::spatial::geometry::state::{Pose, State};
     use crate::spatial::geometry::supports::Supports;
     use crate::spatial::modes::mode::Vector;
     use crate::spatial::modes::stretch::Stretch;
@@ -107,7 +115,7 @@ mod tests {
     fn largest_share(mode: Mode, spin: Vec3) -> f64 {
         let world = world();
         let state = State::standing(world.body(), 0, Rotation::by(Vec3::new(-0.8, 0.4, 0.3)), spin);
-        let stretch = Stretch::from(&world, mode, &state, &[0.0; Supports::MOST]).unwrap();
+        let stretch = Stretch::from(&world, mode, &state, &vec![0.0; world.count()]).unwrap();
         let rates = |y: &Vector| stretch.equations.rate(y);
         let first = stretch.first();
         let at = stretch.posture(&first, 0.0);
@@ -134,7 +142,7 @@ mod tests {
     #[test]
     fn no_height_accelerates_beyond_its_bound() {
         let world = world();
-        let edge = Mode::holding(&world, [0, 3].into_iter().collect(), Rotation::NONE);
+        let edge = Mode::holding(&world, [0, 3].into_iter().collect(), Pose::NONE);
         let Mode::Edge { along, .. } = edge else { panic!("two supports make an edge") };
         for size in [0.0, 1.0, 7.0] {
             let spin = Vec3::new(0.4, -0.8, 0.5) * size;

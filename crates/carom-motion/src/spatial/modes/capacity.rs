@@ -3,11 +3,12 @@
 use super::grip::{Bearing, Grip, MOST_BEARING};
 use crate::spatial::geometry::body::Body;
 use crate::spatial::geometry::posture::Posture;
+use crate::spatial::geometry::state::Pose;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
 use crate::tolerance::{LEAST_GRIP, MODE_RANK};
 use carom_num::cones::narrowest;
-use carom_num::{Basis, Rotation, Vec3};
+use carom_num::{Basis, Vec3};
 
 /// Unknown forces, at most.
 const MOST: usize = 3 * MOST_BEARING;
@@ -24,17 +25,17 @@ pub(in crate::spatial) struct Capacity {
 
 impl Capacity {
     /// `None` in a world without friction, where nothing slides whatever that takes.
-    pub(in crate::spatial) fn of(world: &World, held: Supports, attitude: Rotation) -> Option<Self> {
+    pub(in crate::spatial) fn of(world: &World, held: Supports, pose: Pose) -> Option<Self> {
         let friction = world.friction()?;
         let bearing = |i: usize| Bearing {
-            arm: world.arm(i, attitude),
-            axes: world.support(i).plane.axes().map(|axis| attitude.undo(axis)),
+            arm: world.arm(i, pose),
+            axes: world.axes(i, pose).map(|axis| pose.attitude.undo(axis)),
             friction: friction.coefficient(i),
             sticks: true,
             ..Bearing::default()
         };
         let then = held.iter().take(MOST_BEARING).map(bearing).collect();
-        Some(Self { body: world.body().clone(), then, gravity: attitude.undo(world.gravity()) })
+        Some(Self { body: world.body().clone(), then, gravity: pose.attitude.undo(world.gravity()) })
     }
 
     /// What is left of the cones: 1 where no friction is needed, 0 where of all forces that hold the supports the best just lie within their cones, and

@@ -67,11 +67,11 @@ impl Question<'_> {
 
     /// Which of the supports that touch at rest are held: the same question, about the accelerations that the free body would have.
     pub(in crate::spatial) fn of_motion(&self) -> Result<Answer, MotionError> {
-        let (body, State { attitude, spin, .. }) = (self.world.body(), *self.state);
+        let (body, state, State { attitude, spin, .. }) = (self.world.body(), self.state, *self.state);
         let turning = body.mobility() * -spin.cross(body.inertia() * spin);
         let accelerations = self.asked.iter().map(|i| {
-            let (arm, swing) = (self.world.arm(i, attitude), self.world.swing(i, attitude, spin));
-            self.world.gravity() + attitude.apply(turning.cross(arm) + spin.cross(swing))
+            let (arm, bent) = (self.world.arm(i, state.pose()), self.world.bent(i, state));
+            self.world.gravity() + attitude.apply(turning.cross(arm) + bent)
         });
         self.ask(Some(&accelerations.collect::<Vec<_>>()))
     }
@@ -87,8 +87,8 @@ impl Question<'_> {
     fn ask_sized<const N: usize>(&self, accelerations: Option<&[Vec3]>) -> Result<Answer, MotionError> {
         let (body, state) = (self.world.body(), self.state);
         let touch = |i: usize| Touch {
-            arm: state.attitude.apply(self.world.arm(i, state.attitude)),
-            normal: self.world.normal(i),
+            arm: state.attitude.apply(self.world.arm(i, state.pose())),
+            normal: self.world.normal(i, state.pose()),
             friction: 0.0,
             restitution: 0.0,
         };

@@ -43,12 +43,9 @@ pub fn frictional_contacts<const N: usize>(
     let size = before.velocity.norm() + before.spin.norm() * world.body().reach();
     let slips = slips_on_planes(world, before, touching, size);
     for ((k, i), slip) in touching.iter().enumerate().zip(slips) {
-        let normal = world.normal(i);
-        let fall = if held.contains(i) {
-            0.0
-        } else {
-            normal.dot(before.velocity_of(world.arm(i, before.attitude)))
-        };
+        let normal = world.normal(i, before.pose());
+        let fall =
+            if held.contains(i) { 0.0 } else { normal.dot(before.velocity_of(world.arm(i, before.pose()))) };
         set.velocity[k] = Vec3 { z: fall, ..set.frame[k] * slip };
     }
     Ok(set)
@@ -61,8 +58,8 @@ pub(in crate::spatial) fn contacts_of<const N: usize>(
     asked: Supports,
 ) -> Result<ContactSet<N>, ImpactError> {
     let touch = |i: usize| Touch {
-        arm: state.attitude.apply(world.arm(i, state.attitude)),
-        normal: world.normal(i),
+        arm: state.attitude.apply(world.arm(i, state.pose())),
+        normal: world.normal(i, state.pose()),
         friction: world.friction().map_or(0.0, |f| f.coefficient(i)),
         restitution: world.friction().map_or(0.0, Friction::restitution),
     };
@@ -81,12 +78,18 @@ fn slips_on_planes(world: &World, state: &State, touching: Supports, size: f64) 
     let mut slips = vec![];
     for (number, plane) in world.planes().iter().enumerate() {
         let own = touching.common(world.of_plane(number));
-        let slip = |i: usize| plane.along(state.velocity_of(world.arm(i, state.attitude)));
-        let place = |i: usize| plane.along(state.attitude.apply(world.arm(i, state.attitude)));
+        let slip = |i: usize| plane.along(state.velocity_of(world.arm(i, state.pose())));
+        let place = |i: usize| plane.along(state.attitude.apply(world.arm(i, state.pose())));
         let slowest = own.iter().min_by(|a, b| slip(*a).norm().total_cmp(&slip(*b).norm()));
         let Some(base) = slowest else { continue };
         let (of_base, turn) = (rounded(slip(base)), plane.normal() * plane.normal().dot(spin));
         slips.extend(own.iter().map(|i| rounded(of_base + turn.cross(place(i) - place(base)))));
     }
+    let pairs = touching.iter().filter(|i| world.pair(*i).is_some());
+    let slip = |i: usize| {
+        let velocity = state.velocity_of(world.arm(i, state.pose()));
+        rounded(world.along(i, state.pose(), velocity))
+    };
+    slips.extend(pairs.map(slip));
     slips
 }

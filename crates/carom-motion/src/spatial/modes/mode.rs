@@ -1,6 +1,7 @@
 //! What a body does between events: it flies, turns about a support or an edge, or rests; its equations and the forces on it.
 
 use crate::spatial::geometry::posture::Posture;
+use crate::spatial::geometry::state::Pose;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
 use crate::tolerance::ON_EDGE;
@@ -60,8 +61,8 @@ fn off_line(point: Vec3, on: Vec3, along: Vec3) -> f64 {
 
 impl Mode {
     /// What a body does while the places at which these supports touch, and no others, stay where they are.
-    pub(in crate::spatial) fn holding(world: &World, held: Supports, attitude: Rotation) -> Self {
-        let place = |i: usize| world.arm(i, attitude);
+    pub(in crate::spatial) fn holding(world: &World, held: Supports, pose: Pose) -> Self {
+        let place = |i: usize| world.arm(i, pose);
         let Some(first) = held.iter().next() else { return Self::Flight };
         let distance = |i: usize, j: usize| (place(i) - place(j)).norm();
         // The ends of a line are a support farthest from any, and the one farthest from that.
@@ -84,14 +85,14 @@ impl Mode {
             let of_its_plane = held.common(world.of_plane(world.plane_of(*i)));
             of_its_plane.len() >= 2 && collinear(*i) && world.is_between(ends, *i)
         };
-        let between: Supports = (0..world.count()).filter(beside).collect();
+        let between: Supports = (0..world.of_faces()).filter(beside).collect();
         Self::Edge { ends, along, held: held.union(between) }
     }
 
-    /// What a body does of which these supports stick where they touch: one with balls or circles rolls on them.
-    pub(in crate::spatial) fn sticking(world: &World, held: Supports, attitude: Rotation) -> Self {
-        match Self::holding(world, held, attitude) {
-            Self::Pivot { .. } | Self::Edge { .. } if world.body().is_round() => {
+    /// What a body does of which these supports stick where they touch: one with balls or circles rolls on them, and edges turn about each other as they may.
+    pub(in crate::spatial) fn sticking(world: &World, held: Supports, pose: Pose) -> Self {
+        match Self::holding(world, held, pose) {
+            Self::Pivot { .. } | Self::Edge { .. } if world.body().is_round() || world.has_pairs(held) => {
                 Self::Slides { sticking: held, slipping: Supports::NONE }
             }
             mode => mode,
@@ -110,11 +111,13 @@ impl Mode {
     /// The supports whose points stay where they are: those of other planes, too, that they may not touch.
     pub(in crate::spatial) fn fixed(&self, world: &World) -> Supports {
         let near = ON_EDGE * world.body().reach();
-        let of = |on: &dyn Fn(Vec3) -> bool| (0..world.count()).filter(|i| on(world.point(*i))).collect();
+        let of = |on: &dyn Fn(Vec3) -> bool| (0..world.of_faces()).filter(|i| on(world.point(*i))).collect();
         match *self {
             Self::Flight => Supports::NONE,
-            Self::Slides { .. } if world.body().is_round() => Supports::NONE,
-            Self::Slides { sticking, .. } => Self::holding(world, sticking, Rotation::NONE).fixed(world),
+            Self::Slides { sticking, .. } if world.body().is_round() || world.has_pairs(sticking) => {
+                Supports::NONE
+            }
+            Self::Slides { sticking, .. } => Self::holding(world, sticking, Pose::NONE).fixed(world),
             Self::Pivot { support, .. } => of(&|arm| (arm - world.point(support)).norm() <= near),
             Self::Edge { ends: [a, _], along, .. } => of(&|arm| off_line(arm, world.point(a), along) <= near),
             Self::Rest { .. } => (0..world.count()).collect(),
@@ -136,9 +139,7 @@ impl Mode {
 /// The supports of each plane on the point, line or plane that these span of it: they stay on the plane with them.
 pub(in crate::spatial) fn spanned(world: &World, bearing: Supports) -> Supports {
     let planes = 0..world.planes().len();
-    planes
-        .map(|plane| spanned_of(world, bearing, world.of_plane(plane)))
-        .fold(Supports::NONE, Supports::union)
+    planes.map(|plane| spanned_of(world, bearing, world.of_plane(plane))).fold(bearing, Supports::union)
 }
 
 /// Those of one plane.
@@ -152,9 +153,9 @@ fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
         };
         return bearing.union(own.iter().filter(between).collect());
     }
-    let mode = Mode::holding(world, bearing, Rotation::NONE);
+    let mode = Mode::holding(world, bearing, Pose::NONE);
     let Mode::Rest { held } = mode else { return mode.held(world) };
-    let normal = normal_of(world, held, Rotation::NONE);
+    let normal = normal_of(world, held, Pose::NONE);
     let (Some(first), Some(normal)) = (held.iter().next(), normal) else { return held };
     let on = |i: &usize| {
         (world.point(*i) - world.point(first)).dot(normal).abs() <= ON_EDGE * world.body().reach()
@@ -164,8 +165,8 @@ fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
 }
 
 /// The unit normal of the plane through three or more supports.
-pub(in crate::spatial) fn normal_of(world: &World, held: Supports, attitude: Rotation) -> Option<Vec3> {
-    let place = |i: usize| world.arm(i, attitude);
+pub(in crate::spatial) fn normal_of(world: &World, held: Supports, pose: Pose) -> Option<Vec3> {
+    let place = |i: usize| world.arm(i, pose);
     let first = held.iter().next()?;
     let others: Vec<Vec3> = held.iter().skip(1).map(|i| place(i) - place(first)).collect();
     let crossed = |a: &Vec3| others.iter().map(|b| a.cross(*b)).collect::<Vec<_>>();
@@ -230,7 +231,7 @@ impl Equations {
             mode,
             mass: body.mass(),
             gravity: start.undo(world.gravity()),
-            up: start.undo(world.normal(mode.foot().unwrap_or(0))),
+            up: start.undo(world.support(mode.foot().unwrap_or(0)).plane.normal()),
             arm,
             inertia: body.inertia(),
             about,

@@ -1,19 +1,19 @@
 //! What supports that are kept make of a state: they stand on the plane, and the body turns about their line or not at all.
 
 use super::mode::{Mode, normal_of};
-use crate::spatial::geometry::state::State;
+use crate::spatial::geometry::state::{Pose, State};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
 use crate::tolerance::MOST_SETTLING_TURN;
 use carom_num::{Rotation, Vec3};
 
 /// The direction in the body that must come to lie along the plane's normal, given what it is near to; `None` where the held supports leave it open.
-fn wanted_normal(world: &World, mode: Mode, up: Vec3, attitude: Rotation) -> Option<Vec3> {
+fn wanted_normal(world: &World, mode: Mode, up: Vec3, pose: Pose) -> Option<Vec3> {
     match mode {
         Mode::Flight | Mode::Pivot { .. } | Mode::Slides { .. } => None,
         Mode::Edge { along, .. } => (up - along * up.dot(along)).unit(),
         Mode::Rest { held } => {
-            let normal = normal_of(world, held, attitude)?;
+            let normal = normal_of(world, held, pose)?;
             Some(if normal.dot(up) < 0.0 { -normal } else { normal })
         }
     }
@@ -23,10 +23,17 @@ fn wanted_normal(world: &World, mode: Mode, up: Vec3, attitude: Rotation) -> Opt
 /// attitude that they have.
 pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> State {
     let Some(foot) = mode.foot() else { return *state };
+    // What holds several normals holds the place as well: nothing but the motion is to be taken back.
+    if world.has_pairs(mode.held(world)) {
+        return match mode {
+            Mode::Rest { .. } => State { velocity: Vec3::ZERO, spin: Vec3::ZERO, ..*state },
+            _ => *state,
+        };
+    }
     let plane = world.support(foot).plane;
     let up = state.attitude.undo(plane.normal());
     let wanted =
-        wanted_normal(world, mode, up, state.attitude).filter(|_| world.is_of_one_plane(mode.held(world)));
+        wanted_normal(world, mode, up, state.pose()).filter(|_| world.is_of_one_plane(mode.held(world)));
     let turn = wanted.map_or(Vec3::ZERO, |normal| normal.cross(up));
     // In body axes: the normal n goes to where e is, R e' = z with e' = n.
     let attitude = if turn.norm() > 0.0 && turn.norm() < MOST_SETTLING_TURN {
@@ -40,7 +47,7 @@ pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> S
         Mode::Edge { along, .. } => along * along.dot(state.spin),
         _ => state.spin,
     };
-    let arm = world.arm(foot, attitude);
+    let arm = world.arm(foot, Pose { attitude, ..state.pose() });
     let centre = plane.onto(state.place(arm)) - attitude.apply(arm);
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
 }
@@ -50,7 +57,7 @@ pub(in crate::spatial) fn spin_on(world: &World, mode: Mode, state: &State) -> V
     let body = world.body();
     match mode {
         Mode::Edge { ends: [end, _], along, .. } => {
-            let arm = world.arm(end, state.attitude);
+            let arm = world.arm(end, state.pose());
             let moved = arm.cross(state.attitude.undo(state.velocity)) * body.mass();
             let momentum = body.inertia() * state.spin - moved;
             along * (along.dot(momentum) / along.dot(body.inertia_about(arm) * along))
@@ -84,7 +91,7 @@ mod tests {
         let spin = Vec3::new(0.1, 0.2, 0.3);
         let state = State::standing(world.body(), 1, attitude, spin);
         for kept in [[1, 2].into_iter().collect::<Supports>(), (0..4).collect()] {
-            let mode = Mode::holding(&world, kept, attitude);
+            let mode = Mode::holding(&world, kept, state.pose());
             let after = settled(&world, mode, &state);
             for i in kept.iter() {
                 let height = after.place(world.point(i)).z;

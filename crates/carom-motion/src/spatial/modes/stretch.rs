@@ -1,14 +1,14 @@
 //! One stretch of motion: from what the integration takes to the state of the body, and back.
 
 use super::mode::{Equations, Mode, Vector, normalised, pack, unpack};
+use crate::spatial::geometry::pair::Moving;
 use crate::spatial::geometry::posture::{Height, Posture, Upright};
 use crate::spatial::geometry::state::State;
-use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::{Support, World};
 use carom_num::{Rotation, Vec3};
 
 /// The heights of all supports \[m\].
-pub(in crate::spatial) type Heights = [f64; Supports::MOST];
+pub(in crate::spatial) type Heights = Vec<f64>;
 
 /// The planes' normals, where a stretch starts.
 pub(in crate::spatial) fn uprights(world: &World, attitude: Rotation) -> Vec<Upright> {
@@ -50,7 +50,7 @@ impl Stretch {
         };
         let (attitude, spin, gravity) = (state.attitude, state.spin, world.gravity());
         let planes = uprights(world, attitude);
-        Some(Self { equations, heights: *heights, planes, attitude, place, velocity, spin, gravity })
+        Some(Self { equations, heights: heights.clone(), planes, attitude, place, velocity, spin, gravity })
     }
 
     fn flies(&self) -> bool {
@@ -76,7 +76,20 @@ impl Stretch {
         self.equations.posture(y, self.base(elapsed))
     }
 
-    /// The height of a support at an instant.
+    /// The body at an instant.
+    pub(in crate::spatial) fn moving(&self, at: &Posture) -> Moving {
+        at.moving(self.attitude, self.place)
+    }
+
+    /// The height of any support.
+    pub(in crate::spatial) fn gap(&self, world: &World, support: usize, at: &Posture) -> Height {
+        match world.pair(support) {
+            Some(pair) => pair.height(&self.moving(at)),
+            None => self.height(world, support, at),
+        }
+    }
+
+    /// The height of a point of the body over the plane of a face.
     pub(in crate::spatial) fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
         at.height(
             &self.planes[world.plane_of(support)],

@@ -52,9 +52,9 @@ impl Walker<'_> {
     /// Closes a series: the supports that any of its impacts keeps rest. If they would not stay, there is no series.
     fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
         let world = self.world;
-        let before = (self.state, self.mode, self.departing, self.heights);
+        let before = (self.state, self.mode, self.departing, self.heights.clone());
         let impacts = self.impacts.len();
-        let mode = Mode::holding(world, series.kept, self.state.attitude);
+        let mode = Mode::holding(world, series.kept, self.state.pose());
         if self.world.friction().is_some() {
             let Some(state) = self.landed(series.kept) else { return Ok(Closed::Not) };
             self.state = state;
@@ -83,13 +83,13 @@ impl Walker<'_> {
     /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge. On several planes they are
     /// the ones that they were.
     fn level_heights(&mut self, mode: Mode) {
-        let (world, held, attitude) = (self.world, mode.held(self.world), self.state.attitude);
+        let (world, held, pose) = (self.world, mode.held(self.world), self.state.pose());
         let rests = matches!(mode, Mode::Rest { .. });
         if world.is_of_one_plane(held) {
             match mode {
                 Mode::Edge { ends: [a, b], along, .. } => {
                     let (low, high) = (self.heights[a], self.heights[b]);
-                    let place = |i: usize| world.arm(i, attitude);
+                    let place = |i: usize| world.arm(i, pose);
                     let length = (place(b) - place(a)).norm();
                     let sunk = |i: usize| low + (high - low) * (place(i) - place(a)).dot(along) / length;
                     self.sink(a, sunk);

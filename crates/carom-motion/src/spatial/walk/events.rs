@@ -3,9 +3,9 @@
 use super::gliding::Gliding;
 use super::motion::{Event, Motion};
 use crate::evaluated::{Quantity, evaluated};
-use crate::spatial::geometry::posture::{Height, Posture};
+use crate::spatial::geometry::posture::{Bend, Height, Posture};
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH, SKIMS};
+use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH, SKIMS, SKIMS_MEASURED, TOUCHES_AT_START};
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
@@ -42,8 +42,47 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     pub(in crate::spatial) fn height(&self, support: usize, at: &Posture) -> Height {
-        let height = self.motion.height(self.walker.world, support, at);
-        Height { value: evaluated(Quantity::Gap, height.value), ..height }
+        let height = self.motion.gap(self.walker.world, support, at);
+        Height { value: evaluated(Quantity::Gap, height.value + self.counted(support)), ..height }
+    }
+
+    /// What is searched for the touch of a support: its height, or of edges what is zero with it and bends less.
+    fn approach(&self, support: usize, at: &Posture) -> Height {
+        let Some(pair) = self.walker.world.pair(support) else { return self.height(support, at) };
+        let [value, rate] = pair.approach(&self.motion.moving(at).state, self.counted(support));
+        Height { value: evaluated(Quantity::Gap, value), rate, second: 0.0 }
+    }
+
+    /// What that bends by.
+    fn bend(&self, support: usize, at: &Posture, time: f64) -> Bend {
+        match self.walker.world.pair(support) {
+            None => self.motion.bend(self.walker.world, support, at, time),
+            Some(pair) => {
+                let most = self.motion.most(at, time);
+                Bend::own(pair.bend(&self.motion.moving(at).state, &most, time))
+            }
+        }
+    }
+
+    /// For so long at least the place of a support stays beside the face that has ends, if it is beside it.
+    fn stays_aside(&self, support: usize, at: &Posture, time: f64) -> f64 {
+        let state = self.motion.moving(at).state;
+        let aside = self.walker.world.aside(support, &state);
+        if aside == 0.0 {
+            return 0.0;
+        }
+        let most = self.motion.most(at, time);
+        let speed = state.velocity.norm() + most.acceleration * time + most.spin * self.walker.scales.length;
+        aside / speed
+    }
+
+    /// A face or an edge has ends: a support of it touches where its place is between them.
+    fn is_within(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> bool {
+        if self.walker.world.limits(support) == 0 {
+            return true;
+        }
+        let at = self.place(step, x).1;
+        self.walker.world.is_within(support, &self.motion.moving(&at).state)
     }
 
     /// Event functions that are looked at at nodes.
@@ -71,7 +110,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
             let until = first.map_or(1.0, |found| found.at);
             let from = if self.departing.contains(support) {
                 let mut bend = |x: f64| {
-                    let second = self.look(step, support, x).second;
+                    let at = self.place(step, x).1;
+                    let second = self.height(support, &at).second;
                     // At the very start it may be zero, but for rounding.
                     [if x == 0.0 { second.max(0.0) } else { second }]
                 };
@@ -86,10 +126,22 @@ impl<M: Motion> Gliding<'_, '_, M> {
 
     /// A support with this height goes along its plane for the whole step and never leaves it: beside a wall, where nothing presses it.
     fn skims(&mut self, step: &Step<M::Y>, support: usize, height: &Height) -> bool {
-        let (low, slow) = (SKIMS * self.walker.scales.length, SKIMS * self.walker.scales.speed);
+        // What is measured in the world is less exact than what is counted on.
+        let near = if self.walker.world.pair(support).is_some() { SKIMS_MEASURED } else { SKIMS };
+        let (low, slow) = (near * self.walker.scales.length, near * self.walker.scales.speed);
         let stays = |height: &Height| height.value.abs() <= low && height.rate.abs() <= slow;
         let beside = self.walker.world.planes().len() > 1;
-        beside && stays(height) && SKIMMED.into_iter().all(|x| stays(&self.look(step, support, x)))
+        if beside && stays(height) && SKIMMED.into_iter().all(|x| stays(&self.look(step, support, x))) {
+            return true;
+        }
+        let world = self.walker.world;
+        world.pair(support).is_some_and(|pair| {
+            let mut pose = |x: f64| {
+                let at = self.place(step, x).1;
+                self.motion.moving(&at).state.pose()
+            };
+            pair.is_parallel(pose(0.0)) && SKIMMED.into_iter().all(|x| pair.is_parallel(pose(x)))
+        })
     }
 
     /// The place in a part of a step where a support is certain to come down next: before it nothing does.
@@ -102,29 +154,46 @@ impl<M: Motion> Gliding<'_, '_, M> {
         (support, from, until): (usize, f64, f64),
     ) -> Option<Found<Event>> {
         let length = step.length;
+        let ends = self.walker.world.limits(support) > 0;
+        let behind = TOUCHES_AT_START * self.walker.scales.length;
         let mut x = from;
         while x < until {
             let at = self.place(step, x).1;
-            let height = self.height(support, &at);
+            let height = self.approach(support, &at);
             // It is noted, and nothing can be said of what comes after.
             if height.value.is_nan() || x == from && self.skims(step, support, &height) {
                 return None;
             }
-            let bend = self.motion.bend(self.walker.world, support, &at, (until - x) * length);
+            let aside = self.stays_aside(support, &at, (until - x) * length);
+            if aside > 0.0 {
+                x += (aside / length).max(LEAST_MARCH);
+                continue;
+            }
+            let bend = self.bend(support, &at, (until - x) * length);
+            // Beside a face, or beyond an edge: what comes through from behind touches nothing.
+            if ends && height.value < -behind {
+                let other = Height { value: -height.value, rate: -height.rate, second: -height.second };
+                x += (other.clear(&bend) / length).max(LEAST_MARCH);
+                continue;
+            }
             // Until here the bound on the acceleration holds.
             let reach = until.min(x + bend.lasts / length);
             if height.rate < 0.0 && 2.0 * bend.most * height.value < height.rate * height.rate {
-                let ends = [height.safe(bend.most), height.sure(bend.most)].map(|time| x + time / length);
+                let roots = [height.safe(bend.most), height.sure(bend.most)].map(|time| x + time / length);
                 // What hardly moves may come down long after this step.
                 let later =
-                    ends[0] >= reach || ends[1] > reach && self.look(step, support, reach).value > 0.0;
+                    roots[0] >= reach || roots[1] > reach && self.look(step, support, reach).value > 0.0;
                 if later && reach >= until {
                     return None;
                 }
                 if !later {
-                    let ends = ends.map(|end| end.min(reach));
-                    let at = root_between(ends, length, &mut |x| self.look(step, support, x));
-                    return (at < until).then_some(Found::at(at, Event::Touches(support)));
+                    let roots = roots.map(|end| end.min(reach));
+                    let at = root_between(roots, length, &mut |x| self.look(step, support, x));
+                    if at >= until || self.is_within(step, support, at) {
+                        return (at < until).then_some(Found::at(at, Event::Touches(support)));
+                    }
+                    x = at.max(x) + LEAST_MARCH;
+                    continue;
                 }
             }
             x += (height.clear(&bend) / length).max(LEAST_MARCH);
@@ -143,7 +212,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
     /// The height of a support at a fraction of a step.
     fn look(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> Height {
         let at = self.place(step, x).1;
-        self.height(support, &at)
+        self.approach(support, &at)
     }
 }
 

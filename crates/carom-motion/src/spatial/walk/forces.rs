@@ -3,8 +3,7 @@
 use super::sliding::Sliding;
 use super::sliding::carriers::Carried;
 use crate::MotionError;
-use crate::spatial::geometry::state::State;
-use crate::spatial::geometry::supports::Supports;
+use crate::spatial::geometry::state::{Pose, State};
 use crate::spatial::geometry::world::World;
 use crate::spatial::modes::contacts::{Question, Way};
 use crate::spatial::modes::mode::Mode;
@@ -60,12 +59,12 @@ pub struct Forces {
 pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>, MotionError> {
     if let Mode::Slides { sticking, slipping } = mode {
         let carried = Carried { sticking, slipping, leads: &[] };
-        let heights = [0.0; Supports::MOST];
+        let heights = vec![0.0; world.count()];
         let forces = Sliding::from(world, &carried, state, &heights)
             .and_then(|(sliding, first)| sliding.forces(&first));
         return Ok(forces
-            .filter(|f| f.iter().all(|(i, force)| world.normal(*i).dot(*force) >= 0.0))
-            .map(|f| sliding_forces(world, f)));
+            .filter(|f| f.iter().all(|(i, force)| world.normal(*i, state.pose()).dot(*force) >= 0.0))
+            .map(|f| sliding_forces(world, state.pose(), f)));
     }
     let asked = mode.held(world);
     let question = Question { world, state, time: 0.0, asked, without: None, choice: Choice::KeepMost };
@@ -73,11 +72,10 @@ pub fn forces(world: &World, mode: Mode, state: &State) -> Result<Option<Forces>
     Ok(way.map(|Way { pushes, friction_demand, .. }| Forces { forces: pushes, friction_demand }))
 }
 
-fn sliding_forces(world: &World, forces: Vec<(usize, Vec3)>) -> Forces {
+fn sliding_forces(world: &World, pose: Pose, forces: Vec<(usize, Vec3)>) -> Forces {
     let demand = |(support, force): &(usize, Vec3)| {
-        let plane = world.support(*support).plane;
-        let across = plane.along(*force).norm();
-        if across > 0.0 { across / plane.normal().dot(*force) } else { 0.0 }
+        let across = world.along(*support, pose, *force).norm();
+        if across > 0.0 { across / world.normal(*support, pose).dot(*force) } else { 0.0 }
     };
     let friction_demand = forces.iter().map(demand).fold(0.0, f64::max);
     Forces { forces, friction_demand }

@@ -12,7 +12,7 @@ use crate::tolerance::STILL_ACCELERATION;
 use carom_num::Vec3;
 use carom_num::course::{self, Course, Lost, follow};
 
-impl Walker<'_> {
+impl<'w> Walker<'w> {
     /// Moves on to the next event.
     pub(super) fn glide(&mut self) -> Result<Stop, MotionError> {
         let (start_time, start) = (self.time, self.state);
@@ -58,7 +58,7 @@ impl Walker<'_> {
 
     fn glide_along<M: Motion>(&mut self, motion: M, first: M::Y) -> Result<Stop, MotionError> {
         let (start, mode) = (self.state, self.mode);
-        let mut gliding = Gliding::from(self, motion);
+        let mut gliding = Gliding::from(self, motion, &first);
         let (rate, length) = (gliding.rate(&first), gliding.first_length(&first));
         let stop = match follow(&mut gliding, (first, rate), length, usize::MAX) {
             Ok(course::Stop::Event { event: reached, step }) => {

@@ -8,7 +8,7 @@ use crate::spatial::geometry::state::measured;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::record::run::Budget;
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{SHORTEST_SPATIAL_STEP, SMALL_HEIGHT};
+use crate::tolerance::{SHORTEST_SPATIAL_STEP, SMALL_HEIGHT, TOUCHES_AT_START};
 use carom_num::Vec3;
 use carom_num::course::{self, Course, Found, Lost, Pace};
 use carom_num::ode8::{Step, Trial, Vector, step_plain};
@@ -33,6 +33,8 @@ pub(super) struct Gliding<'g, 'w, M> {
     pub(in crate::spatial) overturning: Option<Overturning>,
     /// The middle of the supports, body axes.
     pub(in crate::spatial) middle: Vec3,
+    /// What is added to the gaps of pairs, those after the points on faces: small ones are counted on from stretch to stretch too.
+    counted: Vec<f64>,
     start_time: f64,
     /// Time since the start of the stretch [s].
     pub(in crate::spatial) elapsed: f64,
@@ -41,7 +43,14 @@ pub(super) struct Gliding<'g, 'w, M> {
 }
 
 impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
-    pub(in crate::spatial) fn from(walker: &'g mut Walker<'w>, motion: M) -> Self {
+    pub(in crate::spatial) fn from(walker: &'g mut Walker<'w>, motion: M, first: &M::Y) -> Self {
+        let (world, small) = (walker.world, SMALL_HEIGHT * walker.scales.length);
+        let at = motion.posture(first, 0.0);
+        let count = |i: usize| {
+            let (noted, gap) = (walker.heights[i], motion.gap(world, i, &at).value);
+            if noted.abs() <= small && gap.abs() <= small { noted - gap } else { 0.0 }
+        };
+        let counted = (world.of_faces()..world.count()).map(count).collect();
         let (body, held) = (walker.world.body(), walker.mode.held(walker.world));
         Self {
             held,
@@ -49,6 +58,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
             departing: std::mem::take(&mut walker.departing),
             overturning: walker.options.overturning,
             middle: body.middle(),
+            counted,
             start_time: walker.time,
             elapsed: 0.0,
             work: 0.0,
@@ -60,9 +70,20 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     pub(super) fn first_length(&self, first: &M::Y) -> f64 {
         let (at, unit) = (self.motion.posture(first, 0.0), self.walker.scales.time);
         let free = (0..self.walker.world.count()).filter(|i| !self.held.contains(*i));
-        let foreseen = free.filter_map(|i| self.height(i, &at).forecast()).fold(f64::INFINITY, f64::min);
+        // What is beside a face, or behind it, may be at no height as well.
+        let world = self.walker.world;
+        let low = TOUCHES_AT_START * self.walker.scales.length;
+        let ahead = |i: &usize| world.limits(*i) == 0 || self.height(*i, &at).value > low;
+        let foreseen = free.filter(ahead).filter_map(|i| self.height(i, &at).forecast());
+        let foreseen = foreseen.fold(f64::INFINITY, f64::min);
         let own = if self.walker.length > 0.0 { self.walker.length } else { FIRST_STEP * unit };
         own.max(FIRST_STEP * unit).min(BEYOND * foreseen).max(SHORTEST_SPATIAL_STEP * unit)
+    }
+
+    /// What is added to the gap of a support.
+    pub(super) fn counted(&self, support: usize) -> f64 {
+        let pair = support.checked_sub(self.walker.world.of_faces());
+        pair.map_or(0.0, |pair| self.counted[pair])
     }
 
     /// The stretch ends here, so long after its start.

@@ -1,5 +1,6 @@
 //! A stretch of motion as its integration and the search for its events see it.
 
+use crate::spatial::geometry::pair::{Most, Moving};
 use crate::spatial::geometry::posture::{Bend, Height, Posture};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::world::World;
@@ -30,6 +31,13 @@ pub(in crate::spatial) enum Event {
     Gives,
     /// The slip of a support comes to zero.
     Stops,
+    /// The place where a support touches comes to the end of a face or an edge: to this limit of it.
+    Leaves {
+        /// The support.
+        support: usize,
+        /// Which limit.
+        limit: usize,
+    },
     /// A circle that touches comes to lie flat.
     Flattens(usize),
     /// Friction presses a sliding body on the plane without bound.
@@ -95,9 +103,24 @@ pub(in crate::spatial) trait Motion {
 
     fn state(&self, y: &Self::Y, elapsed: f64) -> State;
 
+    /// The height of a point of the body over the plane of a face.
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height;
 
-    /// What the acceleration of a support's height does not exceed in the time that follows, or for a part of it.
+    /// The height of any support.
+    fn gap(&self, world: &World, support: usize, at: &Posture) -> Height {
+        match world.pair(support) {
+            Some(pair) => pair.height(&self.moving(at)),
+            None => self.height(world, support, at),
+        }
+    }
+
+    /// The body at an instant.
+    fn moving(&self, at: &Posture) -> Moving;
+
+    /// What the motion does not exceed in the time that follows.
+    fn most(&self, at: &Posture, time: f64) -> Most;
+
+    /// What the acceleration of such a height does not exceed in the time that follows, or for a part of it.
     fn bend(&self, world: &World, support: usize, at: &Posture, time: f64) -> Bend;
 
     /// Events whose functions are looked at at nodes, but for overturning.
@@ -127,7 +150,7 @@ pub(super) struct Standing {
 impl Standing {
     pub(in crate::spatial) fn of(world: &World, stretch: Stretch) -> Self {
         let first = stretch.first();
-        let (at, attitude) = (stretch.posture(&first, 0.0), stretch.state(&first, 0.0).attitude);
+        let (at, pose) = (stretch.posture(&first, 0.0), stretch.state(&first, 0.0).pose());
         let ends = match stretch.equations.mode() {
             Mode::Pivot { support, .. } => [support; 2],
             Mode::Edge { ends, .. } => ends,
@@ -137,7 +160,7 @@ impl Standing {
         let (bounds, held) =
             (Bounds::of(world, &stretch.equations, &at), stretch.equations.mode().held(world));
         let apart = !world.is_of_one_plane(held);
-        let capacity = apart.then(|| Capacity::of(world, held, attitude)).flatten();
+        let capacity = apart.then(|| Capacity::of(world, held, pose)).flatten();
         Self { stretch, bounds, friction, capacity }
     }
 
@@ -195,6 +218,14 @@ impl Motion for Standing {
 
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
         self.stretch.height(world, support, at)
+    }
+
+    fn moving(&self, at: &Posture) -> Moving {
+        self.stretch.moving(at)
+    }
+
+    fn most(&self, at: &Posture, time: f64) -> Most {
+        self.bounds.most(at.spin, time)
     }
 
     fn bend(&self, world: &World, support: usize, at: &Posture, time: f64) -> Bend {

@@ -5,7 +5,7 @@
 //! comes: an implicit step asks for it where the slip is.
 
 use super::motion::Motion;
-use super::sliding::{DIMENSIONS, Sliding, Slowing, Vector};
+use super::sliding::{DIMENSIONS, SLIP, Sliding, Slowing, Vector, WAY, WORK, YAW};
 use crate::tolerance::{
     EASY_STEP, FORCE_DIFFERENCE, IMPLICIT_EVENT_TOLERANCE, LEAST_SLIP_GROWTH, SHORTEST_IMPLICIT_STEP,
     SLIP_STARTED, SLIP_TURN,
@@ -21,11 +21,11 @@ const SLOW: f64 = 0.02;
 /// Slips that supports of other planes leave less of a turn than this cannot turn.
 const LEAST_FREEDOM: f64 = 1e-3;
 /// The places of the spin, the slip and the spin about the normal in what is integrated.
-const MOVES: [usize; 6] = [4, 5, 6, 9, 10, 12];
+const MOVES: [usize; 7] = [4, 5, 6, SLIP, SLIP + 1, SLIP + 2, YAW];
 /// The longest implicit step, which is the first one's length, in the world's time.
 const FIRST: f64 = 0.05;
 
-impl Sliding {
+impl Sliding<'_> {
     /// True where explicit steps would be far shorter than what the motion needs: where a slip starts, and where friction turns a slow one, or one on its way
     /// to zero, much faster than it changes its speed.
     ///
@@ -52,10 +52,12 @@ impl Sliding {
         let [east, north, up] = self.moment(y).axes;
         let aside = slip.aside * (SLIP_TURN * slip.speed);
         let mut turned = *y;
-        (turned[9], turned[10]) = (y[9] + aside.dot(east), y[10] + aside.dot(north));
+        turned[SLIP] += aside.dot(east);
+        turned[SLIP + 1] += aside.dot(north);
         let then = self.rate(&turned);
-        let foot = east * (then[9] - rate[9]) + north * (then[10] - rate[10]);
-        let change = foot + up.cross(slip.from_foot) * (then[12] - rate[12]);
+        let by = |k: usize| then[k] - rate[k];
+        let foot = east * by(SLIP) + north * by(SLIP + 1);
+        let change = foot + up.cross(slip.from_foot) * by(YAW);
         slip.change - change.dot(slip.aside) / SLIP_TURN
     }
 
@@ -71,7 +73,7 @@ impl Sliding {
         }
         let then = self.rate(&self.changed(y, velocity, spin, &now));
         let by = |k: usize| then[k] - rate[k];
-        let foot = now.axes[0] * by(9) + now.axes[1] * by(10);
+        let foot = now.axes[0] * by(SLIP) + now.axes[1] * by(SLIP + 1) + now.axes[2] * by(SLIP + 2);
         let change = foot + Vec3::new(by(4), by(5), by(6)).cross(slip.from_foot);
         slip.change - change.dot(slip.aside) / (SLIP_TURN * share)
     }
@@ -136,9 +138,9 @@ impl Sliding {
                 // On several planes every part of the spin moves supports along one of them.
                 4..=6 if self.apart => (FORCE_DIFFERENCE / self.scales().time).min(others / reach),
                 4..=6 => FORCE_DIFFERENCE / self.scales().time,
-                12 => others / reach,
-                9 | 10 => own.min(others),
-                7 | 8 => FORCE_DIFFERENCE * reach,
+                YAW => others / reach,
+                SLIP..=12 => own.min(others),
+                WAY..SLIP => FORCE_DIFFERENCE * reach,
                 _ => FORCE_DIFFERENCE,
             })
         };
@@ -160,13 +162,13 @@ impl Sliding {
             ahead = self.projected(&ahead, resting);
             MOVES.into_iter().for_each(|d| ahead[d] += start[d] * SLIP_STARTED);
         } else {
-            [9, 10, 12].into_iter().for_each(|d| ahead[d] = y[d] + start[d] * SLIP_STARTED);
+            [SLIP, SLIP + 1, YAW].into_iter().for_each(|d| ahead[d] = y[d] + start[d] * SLIP_STARTED);
         }
         let there = self.rate(&ahead);
         // Both without what makes the slips grow, and how much that is.
         let [own, last] = [(y, rate), (&ahead, &there)].map(|(y, rate)| self.held_back(y, rate, resting));
         let reach = self.scales().length;
-        let weight = |d: usize| if (9..=10).contains(&d) { 1.0 } else { reach * reach };
+        let weight = |d: usize| if (SLIP..WORK).contains(&d) { 1.0 } else { reach * reach };
         let size: f64 = MOVES.iter().map(|d| start[*d] * start[*d] * weight(*d)).sum();
         let grown = |k: &Vector, held: &Vector| -> f64 {
             MOVES.iter().map(|d| start[*d] * (k[*d] - held[*d]) * weight(*d)).sum::<f64>() / size

@@ -29,9 +29,8 @@ impl Walker<'_> {
         let turning = body.mobility() * -spin.cross(body.inertia() * spin);
         let gravity = self.state.attitude.undo(self.world.gravity());
         let of = |i: usize| {
-            let attitude = self.state.attitude;
-            let (arm, swing) = (self.world.arm(i, attitude), self.world.swing(i, attitude, spin));
-            gravity + turning.cross(arm) + spin.cross(swing)
+            let (arm, bent) = (self.world.arm(i, self.state.pose()), self.world.bent(i, &self.state));
+            gravity + turning.cross(arm) + bent
         };
         asked.iter().map(of).collect()
     }
@@ -39,7 +38,7 @@ impl Walker<'_> {
     pub(super) fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
         let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
         // What lies between the ends of an edge at rest adds nothing to what they can hold.
-        let asked = match BodyMode::holding(self.world, asked, self.state.attitude) {
+        let asked = match BodyMode::holding(self.world, asked, self.state.pose()) {
             BodyMode::Edge { ends, .. } if at_rest && self.world.is_of_one_plane(asked) => {
                 ends.into_iter().collect()
             }

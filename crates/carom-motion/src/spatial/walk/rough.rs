@@ -22,7 +22,7 @@ use carom_num::ode8::step_plain;
 /// At the limit of a series the impulses that end it stop every slip that is below this many times the largest speed along the normal.
 const SWEPT: f64 = 4.0;
 
-impl Walker<'_> {
+impl<'w> Walker<'w> {
     /// Speeds below this are rest.
     pub(in crate::spatial) fn still(&self) -> f64 {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
@@ -31,12 +31,12 @@ impl Walker<'_> {
 
     /// The slip of a support, exactly zero where it rests.
     pub(super) fn slip_of(&self, support: usize) -> Vec3 {
-        let flat = self.world.support(support).plane.along(self.velocity_of(support));
+        let flat = self.world.along(support, self.state.pose(), self.velocity_of(support));
         if flat.norm() <= self.still() { Vec3::ZERO } else { flat }
     }
 
     /// The stretch in which supports slide as the mode says.
-    pub(in crate::spatial) fn sliding(&self) -> Result<(Sliding, Vector), MotionError> {
+    pub(in crate::spatial) fn sliding(&self) -> Result<(Sliding<'w>, Vector), MotionError> {
         let (sticking, slipping) = match self.mode {
             BodyMode::Slides { sticking, slipping } => (sticking, slipping),
             _ => (Supports::NONE, Supports::NONE),
@@ -44,7 +44,7 @@ impl Walker<'_> {
         self.sliding_on(&Carried { sticking, slipping, leads: &self.leads })
     }
 
-    fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding, Vector), MotionError> {
+    fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding<'w>, Vector), MotionError> {
         let sliding = Sliding::from(self.world, carried, &self.state, &self.heights);
         sliding.ok_or(MotionError::TooManyTouching {
             time: self.time,
@@ -80,7 +80,7 @@ impl Walker<'_> {
         let Carries { sticking, slipping, leads } = carries;
         self.leads = leads;
         self.mode = if slipping.is_empty() {
-            BodyMode::sticking(self.world, sticking, self.state.attitude)
+            BodyMode::sticking(self.world, sticking, self.state.pose())
         } else {
             BodyMode::Slides { sticking, slipping }
         };
@@ -99,7 +99,7 @@ impl Walker<'_> {
         let apart = !self.world.is_of_one_plane(asked);
         if slipping.is_empty() && !apart {
             self.state =
-                settled(self.world, BodyMode::holding(self.world, asked, self.state.attitude), &self.state);
+                settled(self.world, BodyMode::holding(self.world, asked, self.state.pose()), &self.state);
             return Ok(());
         }
         // On one plane one that sticks says of the others that they only turn about it.
@@ -129,8 +129,8 @@ impl Walker<'_> {
             // A slip that is no faster than the bounces has been stopped by the impulses of the bounces still to come.
             let sticks = slip.norm() <= SWEPT * rises;
             Bearing {
-                arm: self.world.arm(i, state.attitude),
-                axes: self.world.support(i).plane.axes().map(|axis| state.attitude.undo(axis)),
+                arm: self.world.arm(i, state.pose()),
+                axes: self.world.axes(i, state.pose()).map(|axis| state.attitude.undo(axis)),
                 friction: friction.coefficient(i),
                 sticks,
                 toward: if sticks {
@@ -168,11 +168,11 @@ impl Walker<'_> {
         let BodyMode::Slides { sticking, slipping } = self.mode else { return Ok(Carries::default()) };
         let (sliding, first) = self.sliding()?;
         let forces = sliding.forces(&first).unwrap_or_default();
-        let across = |i: usize, force: Vec3| self.world.support(i).plane.along(force);
+        let across = |i: usize, force: Vec3| self.world.along(i, self.state.pose(), force);
         let friction = |i: usize| self.world.friction().map_or(0.0, |f| f.coefficient(i));
         // Others may come to the edges of their cones at once.
         let used_up = |(i, force): &(usize, Vec3)| {
-            let most = friction(*i) * self.world.normal(*i).dot(*force);
+            let most = friction(*i) * self.world.normal(*i, self.state.pose()).dot(*force);
             sticking.contains(*i) && across(*i, *force).norm() >= (1.0 - CONES_LEFT_AT_ONCE) * most
         };
         let which = which.union(forces.iter().filter(|f| used_up(f)).map(|(i, _)| *i).collect());
@@ -212,9 +212,14 @@ impl Walker<'_> {
             (Some(carries), _) => self.enter(carries, held),
             (None, Some(which)) => {
                 let world = self.world;
+                let place = |i: usize| world.support(i);
                 let alike = |i: &usize| {
-                    world.support(*i).feature == world.support(which).feature
-                        && world.normal(*i) == world.normal(which)
+                    let on_faces = world.pair(*i).is_none() && world.pair(which).is_none();
+                    let same = || {
+                        place(*i).feature == place(which).feature
+                            && place(*i).plane.normal() == place(which).plane.normal()
+                    };
+                    *i == which || on_faces && same()
                 };
                 let carries = self.slips_against(held.iter().filter(alike).collect())?;
                 self.enter(carries, held)

@@ -3,6 +3,8 @@
 //! The *foot* is the support that sticks or, where none does, the slowest. What is integrated is the turn since the stretch began, the spin (body axes), how far
 //! the foot has gone and its slip (along the tangents of its plane), the work of friction, and the spin about that plane's normal once more. The slip and that
 //! spin are what all slips on that plane are made of: integrated by themselves they keep their digits where slips come to zero, and where they start.
+//!
+//! Where edges cross, or a face is on a corner, the normal of the foot turns: its slip is then one of three dimensions along the world's axes, and the way is that of the mass centre.
 
 use crate::tolerance::{SHORTEST_SPATIAL_STEP, SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
 pub(in crate::spatial) mod carriers;
@@ -15,8 +17,9 @@ use self::carriers::{Carried, Carrier, carriers_of};
 use super::motion::{Event, Motion};
 use crate::spatial::geometry::body::Body;
 use crate::spatial::geometry::feature::Feature;
+use crate::spatial::geometry::pair::{Most, Moving};
 use crate::spatial::geometry::posture::{Bend, Height, Posture, Upright};
-use crate::spatial::geometry::state::State;
+use crate::spatial::geometry::state::{Pose, State};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::{Scales, Support, World};
 use crate::spatial::modes::grip::MOST_BEARING;
@@ -25,9 +28,14 @@ use crate::spatial::modes::stretch::{Heights, uprights};
 use carom_num::ode8::Step;
 use carom_num::{Rotation, Vec3};
 
-/// Turn (4), spin (3), the foot's way and slip (2 each), work of friction, spin about the plane's normal.
+/// Turn (4), spin (3), the foot's way and slip (3 each), work of friction, spin about the plane's normal.
 pub(in crate::spatial) type Vector = [f64; DIMENSIONS];
-pub(super) const DIMENSIONS: usize = 13;
+pub(super) const DIMENSIONS: usize = 15;
+/// Where in it the way, the slip, the work and the spin about the normal are.
+pub(super) const WAY: usize = 7;
+pub(super) const SLIP: usize = 10;
+pub(super) const WORK: usize = 13;
+pub(super) const YAW: usize = 14;
 
 /// A step towards the stop of a slip goes this part of the way to where it is foreseen.
 const TOWARDS_STOP: f64 = 0.8;
@@ -53,8 +61,9 @@ pub(super) struct Slowing {
 
 /// A stretch of motion in which supports slide.
 #[derive(Clone, Debug)]
-pub(in crate::spatial) struct Sliding {
-    body: Body,
+pub(in crate::spatial) struct Sliding<'w> {
+    world: &'w World,
+    body: &'w Body,
     scales: Scales,
     /// Gravity along the tangents and the normal of the foot's plane.
     gravity: Vec3,
@@ -63,8 +72,14 @@ pub(in crate::spatial) struct Sliding {
     planes: Vec<Upright>,
     pub(super) carriers: Vec<Carrier>,
     pub(in crate::spatial) foot: Feature,
-    /// The foot's plane.
-    plane: usize,
+    /// The foot's plane; none where it is no point of the body on a face.
+    plane: Option<usize>,
+    /// The foot, where it is one of those.
+    pair: Option<usize>,
+    /// One of the carriers is.
+    paired: bool,
+    /// Directions in which the foot may move: two along its plane, or three.
+    ways: usize,
     /// Where the foot starts, world axes.
     place: Vec3,
     /// The tangents and the normal of the foot's plane: world axes, and in body axes as they were at the start.
@@ -95,10 +110,10 @@ fn edge_from(world: &World, foot: &Feature, mode: Mode) -> Option<Vec3> {
     Some(if a.norm() > b.norm() { a } else { b })
 }
 
-impl Sliding {
+impl<'w> Sliding<'w> {
     /// The stretch that starts from a state. `None` without friction, and where no support carries the body or more do than [`MOST_BEARING`].
     pub(super) fn from(
-        world: &World,
+        world: &'w World,
         carried: &Carried<'_>,
         state: &State,
         heights: &Heights,
@@ -109,10 +124,15 @@ impl Sliding {
             return None;
         }
         let velocity = |arm: Vec3| state.velocity + state.attitude.apply(state.spin.cross(arm));
-        let speed = |i: usize| velocity(world.arm(i, state.attitude)).norm();
+        let speed = |i: usize| velocity(world.arm(i, state.pose())).norm();
         let slowest = || carried.slipping.iter().min_by(|a, b| speed(*a).total_cmp(&speed(*b)));
-        let support = carried.sticking.iter().next().or_else(slowest)?;
-        let (foot, plane) = (*world.support(support).feature, world.plane_of(support));
+        // One of a face, where there is one: its plane keeps digits.
+        let sticking = || carried.sticking.iter().next();
+        let support = carried.sticking.iter().find(|i| world.pair(*i).is_none());
+        let support = support.or_else(sticking).or_else(slowest)?;
+        let pair = world.pair(support).map(|_| support);
+        let foot = if pair.is_some() { Feature::point(Vec3::ZERO) } else { *world.support(support).feature };
+        let plane = if pair.is_some() { None } else { Some(world.plane_of(support)) };
         let carriers = carriers_of(world, carried, state, support)?;
         let speck = SLIP_SPECK * world.scales().speed;
         let starts = |c: &Carrier| c.lead != Vec3::ZERO && speed(c.support) <= speck;
@@ -120,30 +140,42 @@ impl Sliding {
         let starting = carriers.iter().filter(|c| starts(c)).map(|c| c.support).collect();
         let resting: Vec<&Carrier> = carriers.iter().filter(|c| c.sticks || starts(c)).collect();
         let (foot_rests, several_rest) = (resting.iter().any(|c| c.is_foot), resting.len() > 1);
-        let apart = !(world.is_of_one_plane(bearing) && world.are_alike(bearing));
-        let mode = Mode::holding(world, bearing, state.attitude);
+        let paired = world.has_pairs(bearing);
+        let loose = paired || !world.are_alike(bearing);
+        let apart = loose || !world.is_of_one_plane(bearing);
+        let mode = Mode::holding(world, bearing, state.pose());
         let edge = if apart { None } else { edge_from(world, &foot, mode) };
         let flat = matches!(mode, Mode::Rest { .. }) && !apart;
-        let normal = flat.then(|| normal_of(world, bearing, state.attitude)).flatten();
-        let frame = world.planes()[plane].axes();
+        let normal = flat.then(|| normal_of(world, bearing, state.pose())).flatten();
+        let frame = plane.map_or([Vec3::X, Vec3::Y, Vec3::Z], |plane| world.planes()[plane].axes());
         let axes = frame.map(|axis| state.attitude.undo(axis));
         let [east, north, up] = frame.map(|axis| world.gravity().dot(axis));
+        let place = match plane {
+            Some(plane) => {
+                world.planes()[plane].onto(state.place(foot.point)) + frame[2] * foot.depth(axes[2])
+            }
+            None => state.centre,
+        };
         let mut motion = Self {
-            body: body.clone(),
+            world,
+            body,
             scales: world.scales(),
             gravity: Vec3::new(east, north, up),
             attitude: state.attitude,
-            heights: *heights,
+            heights: heights.clone(),
             planes: uprights(world, state.attitude),
             carriers,
             foot,
             plane,
-            place: world.planes()[plane].onto(state.place(foot.point)) + frame[2] * foot.depth(axes[2]),
+            pair,
+            paired,
+            ways: if pair.is_some() { 3 } else { 2 },
+            place,
             frame,
             axes,
             apart,
             redundant: false,
-            loose: !world.are_alike(bearing),
+            loose,
             normal: normal.map(|n| if n.dot(axes[2]) < 0.0 { -n } else { n }),
             edge,
             speck,
@@ -151,11 +183,13 @@ impl Sliding {
             most: [0.0; 3],
         };
         let spin = state.spin;
-        let slip = if foot_rests { Vec3::ZERO } else { velocity(world.arm(support, state.attitude)) };
+        let slip = if foot_rests { Vec3::ZERO } else { velocity(world.arm(support, state.pose())) };
+        let slip = if pair.is_some() { world.along(support, state.pose(), slip) } else { slip };
         // Two points of a plane at rest: nothing turns about its normal.
         let yaw = if several_rest && !apart { 0.0 } else { spin.dot(axes[2]) };
-        let [x, y] = [0, 1].map(|k| slip.dot(frame[k]));
-        let first = [1.0, 0.0, 0.0, 0.0, spin.x, spin.y, spin.z, 0.0, 0.0, x, y, 0.0, yaw];
+        let mut first = [0.0; DIMENSIONS];
+        (first[0], first[4], first[5], first[6], first[YAW]) = (1.0, spin.x, spin.y, spin.z, yaw);
+        (0..motion.ways).for_each(|k| first[SLIP + k] = slip.dot(frame[k]));
         let first = if apart { motion.projected(&first, starting) } else { motion.tidied(&first) };
         motion.note_idle(&first);
         Some((motion, first))
@@ -172,11 +206,11 @@ impl Sliding {
         let point =
             self.carriers.iter().find(|c| c.support == support).map_or(self.foot.point, |c| c.feature.point);
         if self.carriers.iter().any(|c| c.sticks) {
-            out[12] = 0.0;
+            out[YAW] = 0.0;
         } else {
             let [east, north, up] = self.moment(y).axes;
-            let slip = up.cross(self.foot.point - point) * y[12];
-            (out[9], out[10]) = (slip.dot(east), slip.dot(north));
+            let slip = up.cross(self.foot.point - point) * y[YAW];
+            (out[SLIP], out[SLIP + 1]) = (slip.dot(east), slip.dot(north));
         }
         out
     }
@@ -194,14 +228,13 @@ impl Sliding {
     }
 }
 
-impl Motion for Sliding {
+impl Motion for Sliding<'_> {
     type Y = Vector;
 
     fn rate(&self, y: &Vector) -> Vector {
         let now = self.moment(y);
         let Some(reactions) = self.reactions(&now) else { return [f64::NAN; DIMENSIONS] };
         let turning = self.turning(&now, Some(&reactions));
-        let [east, north, up] = now.axes;
         let foot = self.foot_acceleration(&now, &reactions);
         let power: f64 = self.carriers.iter().enumerate().fold(0.0, |sum, (k, c)| {
             sum - if c.sticks { 0.0 } else { c.friction * reactions.normals[k] * now.speeds[k] }
@@ -210,8 +243,14 @@ impl Motion for Sliding {
         let [a, b, c, d] = turned.rate(now.spin);
         let Vec3 { x: p, y: q, z: r } = turning;
         let rolled = self.rolled(&now);
-        let (way_east, way_north) = (y[9] + rolled.dot(east), y[10] + rolled.dot(north));
-        [a, b, c, d, p, q, r, way_east, way_north, foot.dot(east), foot.dot(north), power, turning.dot(up)]
+        let mut rates = [0.0; DIMENSIONS];
+        rates[..WAY].copy_from_slice(&[a, b, c, d, p, q, r]);
+        for k in 0..self.ways {
+            rates[WAY + k] = y[SLIP + k] + rolled.dot(now.axes[k]);
+            rates[SLIP + k] = foot.dot(now.axes[k]);
+        }
+        (rates[WORK], rates[YAW]) = (power, turning.dot(now.axes[2]));
+        rates
     }
 
     fn tidied(&self, y: &Vector) -> Vector {
@@ -247,9 +286,9 @@ impl Motion for Sliding {
     fn tolerance(&self, y: &Vector, relative: f64, spin: f64) -> Vector {
         let Scales { length, speed, energy, .. } = self.scales;
         let spin = (y[4] * y[4] + y[5] * y[5] + y[6] * y[6]).sqrt().max(spin);
-        let fast = (y[9] * y[9] + y[10] * y[10]).sqrt().max(speed);
+        let fast = self.in_world(y, SLIP).norm().max(speed);
         let sizes = [1.0, spin, length, fast, energy * (fast / speed) * (fast / speed)];
-        let of = [0, 0, 0, 0, 1, 1, 1, 2, 2, 3, 3, 4, 1];
+        let of = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 1];
         std::array::from_fn(|i| relative * sizes[of[i]])
     }
 
@@ -314,22 +353,28 @@ impl Motion for Sliding {
 
     fn state(&self, y: &Vector, _: f64) -> State {
         let now = self.moment(y);
-        let whole = self.attitude.after(now.turned);
-        let attitude = Rotation::of(whole.to_array()).unwrap_or(whole);
-        let [raised, ..] = self.raised(now.turned, now.spin, Vec3::ZERO);
-        let [gone, slip] = [7, 9].map(|k| self.frame[0] * y[k] + self.frame[1] * y[k + 1]);
-        State {
-            centre: self.place + gone + raised - attitude.apply(self.foot.point),
-            attitude,
-            velocity: slip + attitude.apply(now.foot.cross(now.spin)),
-            spin: now.spin,
-        }
+        let Pose { centre, attitude } = self.pose(y, now.turned, now.spin);
+        let velocity = self.in_world(y, SLIP) + attitude.apply(now.foot.cross(now.spin));
+        State { centre, attitude, velocity, spin: now.spin }
+    }
+
+    fn moving(&self, at: &Posture) -> Moving {
+        at.moving(self.attitude, self.place)
+    }
+
+    fn most(&self, _: &Posture, _: f64) -> Most {
+        let (times, more) = BETWEEN;
+        let unit = self.scales.time;
+        let turning = times * self.most[0] + more / (unit * unit);
+        let spin = times * self.most[1] + more / unit;
+        let foot = times * self.most[2] + more * self.scales.length / (unit * unit);
+        Most { spin, turning, acceleration: foot + self.foot.point.norm() * (turning + spin * spin) }
     }
 
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
         let (plane, start) = (world.plane_of(support), self.heights[support]);
         let feature = world.support(support).feature;
-        if plane == self.plane {
+        if Some(plane) == self.plane {
             // The foot goes along it.
             let base = self.raised(at.turned, at.spin, at.turning);
             return Posture { base, ..*at }.height(&self.planes[plane], feature, start);
@@ -373,6 +418,6 @@ impl Motion for Sliding {
     }
 
     fn work(&self, y: &Vector) -> f64 {
-        y[11]
+        y[WORK]
     }
 }

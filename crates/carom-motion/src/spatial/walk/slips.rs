@@ -2,21 +2,21 @@
 
 use super::sliding::carriers::Carrier;
 use super::sliding::moment::Moment;
-use super::sliding::{DIMENSIONS, Sliding, Slowing, Vector};
+use super::sliding::{DIMENSIONS, SLIP, Sliding, Slowing, Vector, YAW};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::grip::Bearing;
 use crate::tolerance::SLIPS_ACROSS;
 use carom_num::Vec3;
 
-impl Sliding {
+impl Sliding<'_> {
     /// The slips that friction acts against.
     pub(super) fn slowing(&self, y: &Vector, rate: &Vector) -> impl Iterator<Item = Slowing> {
         let now = self.moment(y);
         let normals = self.reactions(&now).map_or_else(|| vec![0.0; self.carriers.len()], |r| r.normals);
         let [east, north, up] = now.axes;
-        let (yaw, yaw_rate) = (y[12], rate[12]);
+        let (yaw, yaw_rate) = (y[YAW], rate[YAW]);
         let turning = Vec3::new(rate[4], rate[5], rate[6]);
-        let own = east * rate[9] + north * rate[10];
+        let own = east * rate[SLIP] + north * rate[SLIP + 1] + up * rate[SLIP + 2];
         let slipping = |(_, c): &(usize, Carrier)| !c.sticks && c.friction > 0.0;
         self.carriers.clone().into_iter().enumerate().filter(slipping).map(move |(k, c)| {
             let (d, drift) = (now.bearings[k].arm - now.foot, now.drifts[k]);
@@ -56,7 +56,7 @@ impl Sliding {
         }
         let (slip, yaw) = self.starting_on_one(&now, resting)?;
         let mut out = [0.0; DIMENSIONS];
-        (out[9], out[10], out[12]) = (slip.dot(self.frame[0]), slip.dot(self.frame[1]), yaw);
+        (out[SLIP], out[SLIP + 1], out[YAW]) = (slip.dot(self.frame[0]), slip.dot(self.frame[1]), yaw);
         Some(out)
     }
 

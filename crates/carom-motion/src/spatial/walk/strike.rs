@@ -24,18 +24,21 @@ use std::ops::ControlFlow;
 impl Walker<'_> {
     /// Velocity of a support, world axes.
     pub(in crate::spatial) fn velocity_of(&self, support: usize) -> Vec3 {
-        self.state.velocity_of(self.world.arm(support, self.state.attitude))
+        self.state.velocity_of(self.world.arm(support, self.state.pose()))
     }
 
     /// How fast a support rises over its plane [m/s].
     pub(in crate::spatial) fn rise_of(&self, support: usize) -> f64 {
-        self.world.normal(support).dot(self.velocity_of(support))
+        self.world.normal(support, self.state.pose()).dot(self.velocity_of(support))
     }
 
     /// Measures all heights, over each plane from the lowest support.
     fn measure_heights(&mut self) {
         let (world, state) = (self.world, self.state);
         let placed = |i: &usize| measured(world, &state, None, *i);
+        for support in world.of_faces()..world.count() {
+            self.heights[support] = placed(&support);
+        }
         for plane in 0..world.planes().len() {
             let own = world.of_plane(plane);
             let lowest = own.iter().min_by(|a, b| placed(a).total_cmp(&placed(b))).unwrap_or_default();
@@ -56,6 +59,10 @@ impl Walker<'_> {
         for support in 0..count {
             let (height, velocity) = (self.heights[support], self.velocity_of(support));
             let rise = self.rise_of(support);
+            let ends = self.world.limits(support) > 0;
+            if ends && (height < -TOUCHES_AT_START * length || !self.world.is_within(support, &self.state)) {
+                continue;
+            }
             if height < -TOUCHES_AT_START * length {
                 return Err(MotionError::Below { support, depth: -height });
             }
@@ -84,10 +91,19 @@ impl Walker<'_> {
 
     /// The supports that touch now: those that are held, and those that come down at once.
     pub(in crate::spatial) fn touching(&self) -> Supports {
-        let (low, at_once) = (SUPPORT_TOUCHES * self.scales.length, COMES_DOWN_AT_ONCE * self.lasted);
-        let touches = |i: &usize| self.heights[*i] <= (-self.rise_of(*i) * at_once).max(low);
-        let held = self.mode.held(self.world);
-        held.union((0..self.world.count()).filter(touches).collect())
+        let at_once = COMES_DOWN_AT_ONCE * self.lasted;
+        let low = |i: usize| match self.world.pair(i) {
+            None => SUPPORT_TOUCHES * self.scales.length,
+            // What is measured in the world is less exact than what is counted on.
+            Some(_) => TOUCHES_AT_START * self.scales.length,
+        };
+        let touches = |i: &usize| self.heights[*i] <= (-self.rise_of(*i) * at_once).max(low(*i));
+        let ends = |i: &usize| self.world.limits(*i) > 0;
+        // Below a face that has ends the body may be beside it.
+        let near = |i: &usize| !ends(i) || self.heights[*i] >= -TOUCHES_AT_START * self.scales.length;
+        let touching = (0..self.world.count()).filter(|i| touches(i) && near(i)).collect();
+        let held = self.mode.held(self.world).union(touching);
+        held.iter().filter(|i| !ends(i) || self.world.is_within(*i, &self.state)).collect()
     }
 
     /// What comes of supports that touch: an impact, if one of them comes down.
@@ -106,6 +122,9 @@ impl Walker<'_> {
     /// A circle among these supports lies flat on its plane.
     fn lies_flat(&self, touching: Supports) -> bool {
         let sine = |i: usize| {
+            if self.world.pair(i).is_some() {
+                return None;
+            }
             let Support { feature, plane } = self.world.support(i);
             feature.tilt(self.state.attitude.undo(plane.normal()))
         };
@@ -129,18 +148,34 @@ impl Walker<'_> {
         }
     }
 
+    /// The place where a support touches has come to the end of a face or an edge. What touches there now goes on: an edge where a point has left a face, say. What approaches
+    /// strikes.
+    pub(super) fn leave(&mut self, support: usize) -> Result<Option<End>, MotionError> {
+        let touching = self.touching().difference(Supports::one(support));
+        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let held = self.mode.held(self.world);
+        let striking = touching.difference(held);
+        let striking: Supports =
+            striking.iter().filter(|i| self.rise_of(*i) < -GRAZING_SPEED * size).collect();
+        if !striking.is_empty() {
+            return self.strike(touching, striking);
+        }
+        let stays = |i: &usize| held.contains(*i) || self.rise_of(*i) <= GRAZING_SPEED * size;
+        self.hold(touching.iter().filter(stays).collect(), None)
+    }
+
     /// Those that the motion draws down.
     fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
         let sinks = |height: Height| height.second <= 0.0;
         if matches!(self.mode, Mode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
             let now = sliding.posture(&first, 0.0);
-            return Ok(grazing.iter().filter(|i| sinks(sliding.height(self.world, *i, &now))).collect());
+            return Ok(grazing.iter().filter(|i| sinks(sliding.gap(self.world, *i, &now))).collect());
         }
         let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
         let now = stretch.posture(&stretch.first(), 0.0);
-        Ok(grazing.iter().filter(|i| sinks(stretch.height(self.world, *i, &now))).collect())
+        Ok(grazing.iter().filter(|i| sinks(stretch.gap(self.world, *i, &now))).collect())
     }
 
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
@@ -156,7 +191,7 @@ impl Walker<'_> {
         let kept = way.kept;
         self.state = pushed(&before, self.world, &way.pushes);
         // What is kept rests: that is known better than the impulses say it.
-        let mode = Mode::holding(self.world, kept, self.state.attitude);
+        let mode = Mode::holding(self.world, kept, self.state.pose());
         self.state = settled(self.world, mode, &self.state);
         let seen = self.tell(&before, [touching, striking], way, conclusion);
         self.mode = mode;
@@ -209,7 +244,7 @@ pub(in crate::spatial) fn pushed(state: &State, world: &World, pushes: &[(usize,
     for (support, impulse) in pushes {
         let own = state.attitude.undo(*impulse);
         push += *impulse;
-        moment += world.arm(*support, state.attitude).cross(own);
+        moment += world.arm(*support, state.pose()).cross(own);
     }
     State {
         velocity: state.velocity + push / body.mass(),

@@ -141,7 +141,7 @@ impl<'w> Walker<'w> {
             time: 0.0,
             state: State { attitude, ..*start },
             mode: Mode::Flight,
-            heights: [0.0; Supports::MOST],
+            heights: vec![0.0; world.count()],
             lasted: 0.0,
             departing: Supports::NONE,
             length: 0.0,
@@ -189,6 +189,7 @@ impl<'w> Walker<'w> {
             Stop::Event(Event::Gives) => self.slips_apart(None, self.mode.held(self.world))?,
             Stop::Event(Event::Stops) => self.slip_stops()?,
             Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world))?,
+            Stop::Event(Event::Leaves { support, .. }) => self.leave(support)?,
             Stop::Event(Event::Flattens(_)) => Some(End::Flat { touching: self.mode.held(self.world) }),
             Stop::Event(Event::Overturns) => Some(End::Overturned),
             Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
@@ -200,7 +201,7 @@ impl<'w> Walker<'w> {
     fn at_rest(&self) -> End {
         let held = self.mode.held(self.world);
         let touching = held.union(self.departing);
-        match Mode::sticking(self.world, touching, self.state.attitude) {
+        match Mode::sticking(self.world, touching, self.state.pose()) {
             Mode::Rest { .. } => End::AtRest { held: spanned(self.world, touching) },
             _ => End::Balanced { held },
         }
@@ -223,7 +224,7 @@ impl<'w> Walker<'w> {
         let world = self.world;
         let mut held = resting;
         if !resting.is_empty() {
-            self.state = settled(world, Mode::holding(world, resting, self.state.attitude), &self.state);
+            self.state = settled(world, Mode::holding(world, resting, self.state.pose()), &self.state);
             self.effort.questions += 1;
             match (Question { without, ..self.question(resting) }).of_motion()? {
                 Answer { way: Some(way), .. } => held = way.kept,
@@ -231,7 +232,7 @@ impl<'w> Walker<'w> {
             }
         }
         self.departing = resting.difference(held);
-        self.mode = Mode::holding(world, held, self.state.attitude);
+        self.mode = Mode::holding(world, held, self.state.pose());
         self.state = settled(world, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(world, held) }))

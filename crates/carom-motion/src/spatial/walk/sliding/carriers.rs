@@ -44,12 +44,17 @@ pub(super) fn carriers_of(
     let friction = world.friction()?;
     let lead = |i: usize| carried.leads.iter().find(|(k, _)| *k == i).map_or(Vec3::ZERO, |(_, e)| *e);
     let of = |support: usize| {
-        let frame = world.support(support).plane.axes();
-        let (feature, own) = (world.support(support).feature, world.support(foot).feature);
-        let level = world.plane_of(support) == world.plane_of(foot);
+        let frame = world.axes(support, state.pose());
+        let feature = |i: usize| match world.pair(i) {
+            Some(_) => Feature::point(world.arm(i, state.pose())),
+            None => *world.support(i).feature,
+        };
+        let (feature, own) = (feature(support), feature(foot));
+        let on_face = world.pair(foot).is_none();
+        let level = on_face && world.plane_of(support) == world.plane_of(foot);
         Carrier {
             support,
-            feature: *feature,
+            feature,
             friction: friction.coefficient(support),
             sticks: carried.sticking.contains(support),
             lead: lead(support),
@@ -57,7 +62,7 @@ pub(super) fn carriers_of(
             then: frame.map(|axis| state.attitude.undo(axis)),
             spare: 0.0,
             level,
-            is_foot: feature == own && (level || own.is_sharp()),
+            is_foot: support == foot || on_face && feature == own && (level || own.is_sharp()),
         }
     };
     Some(carried.sticking.union(carried.slipping).iter().map(of).collect())

@@ -4,16 +4,17 @@ use super::super::motion::Event;
 use super::carriers::Carrier;
 use super::{Sliding, Vector};
 use crate::spatial::modes::grip::Bearing;
-use crate::tolerance::FLAT;
+use crate::tolerance::{BEYOND_END, FLAT};
 
-impl Sliding {
+impl Sliding<'_> {
     /// What may end the stretch, but for touches.
     pub(super) fn events(&self) -> Vec<Event> {
         if self.redundant {
+            let leaves = self.leaves();
             // How they share is open: they go on as long as some forces let them.
             let idle = self.carriers.iter().enumerate().filter(|(_, c)| c.spare > 0.0);
             let lets = idle.map(|(place, c)| Event::Lets { support: c.support, place });
-            return lets.chain([Event::Gives]).chain(self.flattens()).collect();
+            return lets.chain([Event::Gives]).chain(self.flattens()).chain(leaves).collect();
         }
         let lets = self.carriers.iter().enumerate();
         let mut events: Vec<Event> =
@@ -21,6 +22,7 @@ impl Sliding {
         let slips = self.carriers.iter().filter(|c| c.sticks).map(|c| Event::Slips(c.support));
         events.extend(slips);
         events.extend(self.flattens());
+        events.extend(self.leaves());
         if self.carriers.len() == 1 {
             events.push(Event::Jams);
         }
@@ -30,6 +32,10 @@ impl Sliding {
     /// The value of an event's function: positive as long as it has not come.
     pub(super) fn event_value(&self, event: &Event, y: &Vector) -> f64 {
         let now = self.moment(y);
+        if let Event::Leaves { support, limit } = *event {
+            let beyond = BEYOND_END * self.scales.length;
+            return self.world.margin(support, limit, self.pose(y, now.turned, now.spin)) + beyond;
+        }
         let Some(reactions) = self.reactions(&now) else { return f64::NAN };
         match *event {
             // One support that slides is left to itself where its force turns; where it grows without bound instead, the force has the sign of its regularity.
@@ -55,6 +61,14 @@ impl Sliding {
             Event::Jams => reactions.regularity,
             _ => f64::INFINITY,
         }
+    }
+
+    /// The places where supports touch may come to the ends of faces and edges.
+    fn leaves(&self) -> impl Iterator<Item = Event> {
+        let of = |support: usize| {
+            (0..self.world.limits(support)).map(move |limit| Event::Leaves { support, limit })
+        };
+        self.carriers.iter().flat_map(move |c| of(c.support))
     }
 
     /// Circles that touch may come to lie flat.

@@ -6,7 +6,7 @@ use crate::spatial::modes::capacity::{balanced, left_of};
 use crate::spatial::modes::grip::Bearing;
 use crate::tolerance::WEIGHTLESS;
 
-impl Sliding {
+impl Sliding<'_> {
     /// Marks the carriers that carry nothing where the stretch starts.
     pub(super) fn note_idle(&mut self, first: &Vector) {
         if !self.apart {

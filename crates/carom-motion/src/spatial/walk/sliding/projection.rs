@@ -1,19 +1,20 @@
 //! What keeps a body on several planes: the least motion, by the body's own mass, that takes back what the integration has let drift.
 
+use super::super::motion::Motion;
 use super::carriers::Carrier;
 use super::moment::Moment;
-use super::{Sliding, Vector};
+use super::{SLIP, Sliding, Vector, WAY, YAW};
 use crate::spatial::geometry::posture::Upright;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::grip::{Bearing, Grip};
 use carom_num::{Rotation, Vec3};
 
-impl Sliding {
+impl Sliding<'_> {
     /// The same motion with all its supports on their planes and none of them moving along a normal; those that stick rest, and so do those that are `stopped`.
     pub(in crate::spatial) fn projected(&self, y: &Vector, stopped: Supports) -> Vector {
         let placed = self.placed(y);
         let now = self.moment(&placed);
-        let slip = now.axes[0] * placed[9] + now.axes[1] * placed[10];
+        let slip = now.slip;
         let drive = |b: &Bearing, _: usize| slip + now.spin.cross(b.arm - now.foot);
         self.moved(&placed, &self.bearings(&now, stopped, drive), &now)
     }
@@ -23,8 +24,12 @@ impl Sliding {
         let now = self.moment(y);
         let at = self.posture_of(y, &now, None);
         let height = |b: &Bearing, k: usize| {
-            let Carrier { feature, frame, then, .. } = self.carriers[k];
-            b.up() * at.height(&Upright { normal: frame[2], then: then[2] }, &feature, 0.0).value
+            let Carrier { support, feature, frame, then, .. } = self.carriers[k];
+            let gap = match self.world.pair(support) {
+                Some(pair) => pair.meeting(self.moving(&at).state.pose()).gap,
+                None => at.height(&Upright { normal: frame[2], then: then[2] }, &feature, 0.0).value,
+            };
+            b.up() * gap
         };
         let mut bearings = self.bearings(&now, Supports::NONE, height);
         bearings.iter_mut().for_each(|b| b.sticks = false);
@@ -34,8 +39,7 @@ impl Sliding {
         let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
         let mut out = *y;
         out[..4].copy_from_slice(&turned.to_array());
-        out[7] += gone.dot(now.axes[0]);
-        out[8] += gone.dot(now.axes[1]);
+        (0..self.ways).for_each(|k| out[WAY + k] += gone.dot(now.axes[k]));
         out
     }
 
@@ -71,17 +75,15 @@ impl Sliding {
         for (k, change) in [(4, spin.x), (5, spin.y), (6, spin.z)] {
             out[k] += change;
         }
-        for (k, axis) in [(9, now.axes[0]), (10, now.axes[1])] {
-            out[k] += slip.dot(axis);
-        }
-        out[12] += spin.dot(now.axes[2]);
+        (0..self.ways).for_each(|k| out[SLIP + k] += slip.dot(now.axes[k]));
+        out[YAW] += spin.dot(now.axes[2]);
         out
     }
 
     /// Rates at which these supports do not accelerate along their planes either.
     pub(in crate::spatial) fn held_back(&self, y: &Vector, rate: &Vector, resting: Supports) -> Vector {
         let now = self.moment(y);
-        let own = now.axes[0] * rate[9] + now.axes[1] * rate[10];
+        let own = (0..self.ways).fold(Vec3::ZERO, |sum, k| sum + now.axes[k] * rate[SLIP + k]);
         let turning = Vec3::new(rate[4], rate[5], rate[6]);
         let drive = |b: &Bearing, k: usize| {
             let d = b.arm - now.foot;

@@ -1,0 +1,284 @@
+//! What a body touches an obstacle with but for its own points: a face with a corner of the obstacle, an edge with an edge.
+//!
+//! The place where they touch moves along the body or along the obstacle, and its normal turns with the body. With the velocity ẋ of the place, the rate ṅ of
+//! its normal and the velocity s of the body's material there, s is accelerated by `a + α × r + ω × (ẋ − v)`, and the gap, whose rate is `n · s`, by `n` times
+//! that and by `ṅ · s`.
+
+use super::posture::Height;
+use super::state::{Pose, State};
+use super::surface::{Edge, Facet};
+use crate::tolerance::{BETWEEN_FACES, PARALLEL_EDGES};
+use carom_num::Vec3;
+
+/// Two of them that may touch: the body's in its axes from the mass centre, the obstacle's in the world's.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::spatial) enum Pair {
+    /// A face of the body, and a corner of an obstacle.
+    Corner {
+        /// The face.
+        face: Facet,
+        /// The corner.
+        corner: Vec3,
+    },
+    /// An edge of the body across an edge of an obstacle.
+    Cross {
+        /// The body's.
+        own: Edge,
+        /// The obstacle's.
+        other: Edge,
+    },
+}
+
+/// How a pair stands to each other; world axes.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Meeting {
+    /// Where the body would touch.
+    pub(in crate::spatial) place: Vec3,
+    /// From the obstacle to the body.
+    pub(in crate::spatial) normal: Vec3,
+    /// Negative where they overlap; infinite where edges are parallel.
+    pub(in crate::spatial) gap: f64,
+}
+
+/// How that changes.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Passing {
+    /// Velocity of the place.
+    pub(in crate::spatial) place: Vec3,
+    /// Rate of the normal.
+    pub(in crate::spatial) normal: Vec3,
+    /// Velocity of the body's material there.
+    pub(in crate::spatial) slip: Vec3,
+}
+
+/// A body at an instant, and how its motion changes.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Moving {
+    pub(in crate::spatial) state: State,
+    /// Of the mass centre, world axes.
+    pub(in crate::spatial) acceleration: Vec3,
+    /// Angular acceleration, body axes.
+    pub(in crate::spatial) turning: Vec3,
+}
+
+/// What a motion does not exceed for some time: the spin, its rate, the acceleration of the mass centre.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Most {
+    pub(in crate::spatial) spin: f64,
+    pub(in crate::spatial) turning: f64,
+    pub(in crate::spatial) acceleration: f64,
+}
+
+/// Two edges at an instant, world axes.
+struct Crossed {
+    /// The body's direction, the common perpendicular as long as the sine between them, and that sine.
+    along: Vec3,
+    across: Vec3,
+    sine: f64,
+    /// From the start of the obstacle's edge to that of the body's.
+    between: Vec3,
+}
+
+impl Crossed {
+    /// The perpendicular points into the body.
+    fn of(own: &Edge, other: &Edge, pose: Pose) -> Self {
+        let along = pose.attitude.apply(own.along);
+        let across = along.cross(other.along);
+        let outward = pose.attitude.apply(own.outward);
+        let across = if across.dot(outward) > 0.0 { -across } else { across };
+        let between = pose.centre + pose.attitude.apply(own.from) - other.from;
+        Self { along, across, sine: across.norm(), between }
+    }
+
+    fn is_parallel(&self) -> bool {
+        self.sine <= PARALLEL_EDGES
+    }
+
+    /// How far along the two edges they are nearest to each other.
+    fn places(&self, other: &Edge) -> [f64; 2] {
+        let straight = self.along.cross(other.along);
+        let square = self.sine * self.sine;
+        [other.along, self.along].map(|edge| -self.between.cross(edge).dot(straight) / square)
+    }
+}
+
+impl Pair {
+    pub(in crate::spatial) fn meeting(&self, pose: Pose) -> Meeting {
+        match self {
+            Self::Corner { face, corner } => {
+                let gap = face.plane.height(pose.attitude.undo(*corner - pose.centre));
+                Meeting { place: *corner, normal: -pose.attitude.apply(face.plane.normal()), gap }
+            }
+            Self::Cross { own, other } => {
+                let crossed = Crossed::of(own, other, pose);
+                if crossed.is_parallel() {
+                    let place = pose.centre + pose.attitude.apply(own.from);
+                    return Meeting { place, normal: Vec3::Z, gap: f64::INFINITY };
+                }
+                let normal = crossed.across / crossed.sine;
+                let [along, _] = crossed.places(other);
+                let place = other.from + crossed.between + crossed.along * along;
+                Meeting { place, normal, gap: normal.dot(crossed.between) }
+            }
+        }
+    }
+
+    pub(in crate::spatial) fn passing(&self, state: &State) -> Passing {
+        let pose = state.pose();
+        let Meeting { place, normal, gap } = self.meeting(pose);
+        let spin = pose.attitude.apply(state.spin);
+        let slip = state.velocity + spin.cross(place - pose.centre);
+        match self {
+            Self::Corner { .. } => Passing { place: Vec3::ZERO, normal: spin.cross(normal), slip },
+            Self::Cross { own, other } => {
+                let crossed = Crossed::of(own, other, pose);
+                if crossed.is_parallel() {
+                    return Passing { place: slip, normal: Vec3::ZERO, slip };
+                }
+                let straight = crossed.along.cross(other.along);
+                let side = straight.dot(crossed.across).signum();
+                let turns = spin.cross(crossed.along).cross(other.along) * side;
+                let turns = (turns - normal * normal.dot(turns)) / crossed.sine;
+                let square = crossed.sine * crossed.sine;
+                let runs = (turns * gap - slip).cross(other.along).dot(straight) / square;
+                Passing { place: slip + crossed.along * runs, normal: turns, slip }
+            }
+        }
+    }
+
+    /// The gap, and how it changes.
+    pub(in crate::spatial) fn height(&self, moving: &Moving) -> Height {
+        let State { attitude, spin, velocity, centre } = moving.state;
+        let Meeting { place, normal, gap } = self.meeting(moving.state.pose());
+        let passing = self.passing(&moving.state);
+        let (spin, turning) = (attitude.apply(spin), attitude.apply(moving.turning));
+        let bent = moving.acceleration + turning.cross(place - centre) + spin.cross(passing.place - velocity);
+        let second = normal.dot(bent) + passing.normal.dot(passing.slip);
+        Height { value: gap, rate: normal.dot(passing.slip), second }
+    }
+
+    /// What is zero where they touch and has a bounded second derivative, and its rate: the gap and what is added to it, of edges times the sine between them.
+    pub(in crate::spatial) fn approach(&self, state: &State, added: f64) -> [f64; 2] {
+        let pose = state.pose();
+        let spin = pose.attitude.apply(state.spin);
+        match self {
+            Self::Corner { .. } => {
+                let Meeting { place, normal, gap } = self.meeting(pose);
+                [gap + added, normal.dot(state.velocity + spin.cross(place - pose.centre))]
+            }
+            Self::Cross { own, other } => {
+                let Crossed { along, across, between, sine } = Crossed::of(own, other, pose);
+                let side = along.cross(other.along).dot(across).signum();
+                let velocity = state.velocity + spin.cross(pose.attitude.apply(own.from));
+                let turns = spin.cross(along).cross(other.along) * side;
+                [across.dot(between) + added * sine, turns.dot(between) + across.dot(velocity)]
+            }
+        }
+    }
+
+    /// What the second derivative of that does not exceed for so long.
+    pub(in crate::spatial) fn bend(&self, state: &State, most: &Most, time: f64) -> f64 {
+        let bent = most.turning + most.spin * most.spin;
+        let (middle, there) = match self {
+            Self::Corner { face, corner } => (face.plane.onto(Vec3::ZERO), *corner),
+            Self::Cross { own, other } => (own.middle(), other.middle()),
+        };
+        let between = (state.place(middle) - there).norm();
+        let arm = middle.norm();
+        let speed = state.velocity.norm() + most.acceleration * time + most.spin * arm;
+        let far = between + speed * time;
+        bent * far + 2.0 * most.spin * speed + most.acceleration + bent * arm
+    }
+
+    /// How many limits the place has.
+    pub(in crate::spatial) fn limits(&self) -> usize {
+        match self {
+            Self::Corner { face, .. } => face.limits.len(),
+            Self::Cross { .. } => 4,
+        }
+    }
+
+    /// How far the place is inside one of its limits \[m\].
+    pub(in crate::spatial) fn margin(&self, limit: usize, pose: Pose) -> f64 {
+        match self {
+            Self::Corner { face, corner } => {
+                face.limits[limit].margin(pose.attitude.undo(*corner - pose.centre))
+            }
+            Self::Cross { own, other } => {
+                let crossed = Crossed::of(own, other, pose);
+                if crossed.is_parallel() {
+                    return f64::NEG_INFINITY;
+                }
+                let [along, beside] = crossed.places(other);
+                [along, own.length - along, beside, other.length - beside][limit]
+            }
+        }
+    }
+
+    /// How fast that changes [m/s].
+    pub(in crate::spatial) fn margin_rate(&self, limit: usize, state: &State) -> f64 {
+        let passing = self.passing(state);
+        match self {
+            Self::Corner { face, .. } => {
+                face.limits[limit].inward.dot(state.attitude.undo(passing.place - passing.slip))
+            }
+            Self::Cross { own, other } => {
+                let along = state.attitude.apply(own.along).dot(passing.place - passing.slip);
+                let beside = other.along.dot(passing.place);
+                [along, -along, beside, -beside][limit]
+            }
+        }
+    }
+
+    /// True where edges are parallel: they cross nowhere.
+    pub(in crate::spatial) fn is_parallel(&self, pose: Pose) -> bool {
+        match self {
+            Self::Corner { .. } => false,
+            Self::Cross { own, other } => Crossed::of(own, other, pose).is_parallel(),
+        }
+    }
+
+    /// How far the two are from each other at least, where the place of one of them is beyond its ends \[m\]; zero where it is not.
+    pub(in crate::spatial) fn aside(&self, pose: Pose) -> f64 {
+        let beyond = |limit: usize| -self.margin(limit, pose);
+        let farthest = (0..self.limits()).map(beyond).fold(0.0, f64::max);
+        match self {
+            Self::Cross { own, other } if farthest > 0.0 => {
+                let from = pose.centre + pose.attitude.apply(own.from);
+                let along = pose.attitude.apply(own.along) * own.length;
+                between([from, along], [other.from, other.along * other.length])
+            }
+            _ => farthest,
+        }
+    }
+
+    /// Edges touch in a direction that is outside of both: between the faces of each. A face touches a corner from wherever it is.
+    pub(in crate::spatial) fn faces(&self, pose: Pose) -> bool {
+        let Self::Cross { own, other } = self else { return true };
+        let Meeting { normal, gap, .. } = self.meeting(pose);
+        let outside = |sides: [Vec3; 2], out: Vec3| sides.iter().all(|side| side.dot(out) <= BETWEEN_FACES);
+        gap.is_finite() && outside(other.sides, normal) && outside(own.sides, pose.attitude.undo(-normal))
+    }
+}
+
+/// The distance between two segments, each by its start and the way to its end.
+///
+/// # Source
+/// C. Ericson, Real-Time Collision Detection (2005), 5.1.9.
+fn between([p, a]: [Vec3; 2], [q, b]: [Vec3; 2]) -> f64 {
+    let w = p - q;
+    let (aa, bb, ab, aw, bw) = (a.dot(a), b.dot(b), a.dot(b), a.dot(w), b.dot(w));
+    let square = aa * bb - ab * ab;
+    let on = |x: f64| x.clamp(0.0, 1.0);
+    let first = if square > PARALLEL_EDGES * aa * bb { on((ab * bw - aw * bb) / square) } else { 0.0 };
+    let second = (ab * first + bw) / bb;
+    // Beyond an end of the second segment that end is the nearest.
+    let first = if second < 0.0 {
+        on(-aw / aa)
+    } else if second > 1.0 {
+        on((ab - aw) / aa)
+    } else {
+        first
+    };
+    (w + a * first - b * on(second)).norm()
+}

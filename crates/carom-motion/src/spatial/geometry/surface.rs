@@ -1,0 +1,106 @@
+//! Faces, edges and corners of what is convex: of a body, in its axes from the mass centre, or of an obstacle, in the world's.
+
+use super::hull::sides;
+use super::plane::Plane;
+use super::polyhedron::Polyhedron;
+use carom_num::Vec3;
+
+/// A half-space: `inward · r + offset` is positive in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::spatial) struct Limit {
+    pub(in crate::spatial) inward: Vec3,
+    pub(in crate::spatial) offset: f64,
+}
+
+impl Limit {
+    /// How far inside a place is \[m\].
+    pub(in crate::spatial) fn margin(&self, place: Vec3) -> f64 {
+        self.inward.dot(place) + self.offset
+    }
+}
+
+/// A flat face: the places of a plane that are within all limits.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::spatial) struct Facet {
+    /// Its normal is outwards.
+    pub(in crate::spatial) plane: Plane,
+    pub(in crate::spatial) limits: Vec<Limit>,
+}
+
+/// An edge between two faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::spatial) struct Edge {
+    pub(in crate::spatial) from: Vec3,
+    /// Unit vector.
+    pub(in crate::spatial) along: Vec3,
+    pub(in crate::spatial) length: f64,
+    /// Unit vectors across the edge into each of the faces.
+    pub(in crate::spatial) sides: [Vec3; 2],
+    /// The middle of the directions in which its outside lies.
+    pub(in crate::spatial) outward: Vec3,
+}
+
+/// Faces, edges and corners.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::spatial) struct Surface {
+    pub(in crate::spatial) faces: Vec<Facet>,
+    pub(in crate::spatial) edges: Vec<Edge>,
+    pub(in crate::spatial) corners: Vec<Vec3>,
+}
+
+impl Facet {
+    /// The face with these corners, counter-clockwise as seen from outside.
+    pub(in crate::spatial) fn of(normal: Vec3, corners: &[Vec3]) -> Self {
+        let offset = corners.first().map_or(0.0, |corner| normal.dot(*corner));
+        let ends = (0..corners.len()).map(|k| (corners[k], corners[(k + 1) % corners.len()]));
+        let limit = |(from, to): (Vec3, Vec3)| {
+            let inward = normal.cross((to - from).unit()?);
+            Some(Limit { inward, offset: -inward.dot(from) })
+        };
+        Self { plane: Plane::of_unit(normal, offset), limits: ends.filter_map(limit).collect() }
+    }
+}
+
+impl Edge {
+    /// The edge between two places and two faces with these normals. The first face has the edge in this direction around it, the other one against it.
+    fn between(from: Vec3, to: Vec3, [first, second]: [Vec3; 2]) -> Option<Self> {
+        let along = (to - from).unit()?;
+        let sides = [first.cross(along), along.cross(second)];
+        Some(Self { from, along, length: (to - from).norm(), sides, outward: first + second })
+    }
+
+    /// The edge of a thin plate with this normal, counter-clockwise around it.
+    pub(in crate::spatial) fn of_plate(from: Vec3, to: Vec3, normal: Vec3) -> Option<Self> {
+        let along = (to - from).unit()?;
+        let inward = normal.cross(along);
+        Some(Self { from, along, length: (to - from).norm(), sides: [inward; 2], outward: -inward })
+    }
+
+    /// The middle of the edge.
+    pub(in crate::spatial) fn middle(&self) -> Vec3 {
+        self.from + self.along * (0.5 * self.length)
+    }
+}
+
+impl Surface {
+    /// That of a polyhedron whose vertices are these of some points.
+    pub(in crate::spatial) fn of(shape: &Polyhedron, points: &[Vec3]) -> Self {
+        let place = |vertex: usize| points[shape.sources()[vertex]];
+        let faces = shape.faces().iter().map(|face| {
+            let corners: Vec<Vec3> = face.corners.iter().map(|i| place(*i)).collect();
+            Facet::of(face.normal, &corners)
+        });
+        let mut edges = vec![];
+        for (k, face) in shape.faces().iter().enumerate() {
+            for (a, b) in sides(&face.corners) {
+                let other = shape.faces()[k + 1..]
+                    .iter()
+                    .find(|other| sides(&other.corners).any(|(from, to)| (from, to) == (b, a)));
+                let normals = other.map(|other| [face.normal, other.normal]);
+                edges.extend(normals.and_then(|normals| Edge::between(place(a), place(b), normals)));
+            }
+        }
+        let corners = (0..shape.vertices().len()).map(place).collect();
+        Self { faces: faces.collect(), edges, corners }
+    }
+}
