@@ -170,6 +170,8 @@ pub(crate) const THINNEST_BODY: f64 = 1e-6;
 pub(crate) const VERTEX_ON_FACE: f64 = 4e-16;
 /// Corners of a plate are on one plane within this part of its size, and turn by more.
 pub(crate) const FLAT_PLATE: f64 = 1e-9;
+/// What is deeper than this behind a face that has ends, or beyond an edge, in units of the body's reach, is beside it.
+pub(crate) const BESIDE: f64 = 1e-10;
 /// Edges whose directions have no larger sine between them are parallel: their ends touch instead.
 pub(crate) const PARALLEL_EDGES: f64 = 1e-9;
 /// A place is on a face or an edge up to this beyond its end, in units of the body's reach.
@@ -216,7 +218,9 @@ pub(crate) const LEAST_GRIP: f64 = 1e-6;
 pub(crate) const SLIPS_AHEAD: f64 = 1e-6;
 /// A support that stays within this of its plane for a whole step, and does not leave it faster, in units of the reach and of the world's speed, goes along it.
 pub(crate) const SKIMS: f64 = 1e-14;
-/// The same of edges, and of faces on corners.
+/// The same of what has ends: how near, and how slow.
+pub(crate) const SKIMS_BESIDE: f64 = 1e-9;
+/// How slow that is, and up to what difference a gap is counted on.
 pub(crate) const SKIMS_MEASURED: f64 = 1e-12;
 /// A circle whose axis is off the plane's normal by no more than this sine lies flat.
 pub(crate) const FLAT: f64 = 1e-9;

@@ -25,6 +25,7 @@ mod rocking;
 mod spatial_balls;
 mod spatial_circles;
 mod spatial_corners;
+mod spatial_edges;
 mod spatial_ends;
 mod spatial_planar;
 mod spatial_planes;

@@ -1,6 +1,6 @@
 //! Bodies in space that strike with a point while others still touch.
 //!
-//! But for [`Twist`], [`FlatSlide`], [`ThreeFeet`], [`Groove`], [`Ladder`], [`Ball`], [`TippeTop`] and [`RollingDisc`], which slide or roll, the law is the non-sliding one: a contact that is kept comes to rest, whatever friction that takes; one that is not kept takes no impulse. A
+//! But for [`Twist`], [`FlatSlide`], [`ThreeFeet`], [`Groove`], [`Ladder`], [`Ball`], [`TippeTop`], [`RollingDisc`] and [`EdgeOverEdge`], which slide or roll, the law is the non-sliding one: a contact that is kept comes to rest, whatever friction that takes; one that is not kept takes no impulse. A
 //! *state* is the set of contacts that are kept. It is consistent where no kept contact pulls and none of the others approaches.
 //!
 //! Source of the states: Polukoshko, Viba and others, on simultaneous collisions of rolling bodies, section 5. The conditions and the impulses were
@@ -8,6 +8,7 @@
 
 mod ball;
 mod borders;
+mod edge_over_edge;
 mod feet;
 mod groove;
 mod ladder;
@@ -20,6 +21,7 @@ mod twist;
 
 pub use ball::Ball;
 pub use borders::LateralRoll;
+pub use edge_over_edge::{EdgeOverEdge, SlidingOver};
 pub use feet::ThreeFeet;
 pub use groove::Groove;
 pub use ladder::{Ladder, LeavesWall};

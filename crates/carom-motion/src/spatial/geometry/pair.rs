@@ -176,18 +176,21 @@ impl Pair {
         }
     }
 
-    /// What the second derivative of that does not exceed for so long.
-    pub(in crate::spatial) fn bend(&self, state: &State, most: &Most, time: f64) -> f64 {
-        let bent = most.turning + most.spin * most.spin;
-        let (middle, there) = match self {
-            Self::Corner { face, corner } => (face.plane.onto(Vec3::ZERO), *corner),
-            Self::Cross { own, other } => (own.middle(), other.middle()),
+    /// What the second derivatives of that and of [`Pair::beyond`] do not exceed for so long.
+    pub(in crate::spatial) fn bend(&self, state: &State, most: &Most, time: f64) -> [f64; 2] {
+        let Most { spin, turning, acceleration } = *most;
+        let bent = turning + spin * spin;
+        let (middle, there, lengths) = match self {
+            Self::Corner { face, corner } => (face.plane.onto(Vec3::ZERO), *corner, 0.0),
+            Self::Cross { own, other } => (own.middle(), other.middle(), own.length + other.length),
         };
-        let between = (state.place(middle) - there).norm();
-        let arm = middle.norm();
-        let speed = state.velocity.norm() + most.acceleration * time + most.spin * arm;
-        let far = between + speed * time;
-        bent * far + 2.0 * most.spin * speed + most.acceleration + bent * arm
+        let arm = middle.norm() + lengths;
+        let speed = state.velocity.norm() + acceleration * time + spin * arm;
+        let far = (state.place(middle) - there).norm() + lengths + speed * time;
+        let own = bent * far + 2.0 * spin * speed + acceleration + bent * arm;
+        let ends =
+            2.0 * (bent + spin * spin) * (far + lengths) + 4.0 * spin * speed + acceleration + bent * arm;
+        [own, ends]
     }
 
     /// How many limits the place has.
@@ -238,17 +241,44 @@ impl Pair {
         }
     }
 
-    /// How far the two are from each other at least, where the place of one of them is beyond its ends \[m\]; zero where it is not.
-    pub(in crate::spatial) fn aside(&self, pose: Pose) -> f64 {
-        let beyond = |limit: usize| -self.margin(limit, pose);
-        let farthest = (0..self.limits()).map(beyond).fold(0.0, f64::max);
+    /// What [`Pair::beyond`] is in units of.
+    pub(in crate::spatial) fn scale(&self, pose: Pose) -> f64 {
         match self {
-            Self::Cross { own, other } if farthest > 0.0 => {
-                let from = pose.centre + pose.attitude.apply(own.from);
-                let along = pose.attitude.apply(own.along) * own.length;
-                between([from, along], [other.from, other.along * other.length])
+            Self::Corner { .. } => 1.0,
+            Self::Cross { own, other } => {
+                let sine = Crossed::of(own, other, pose).sine;
+                sine * sine
             }
-            _ => farthest,
+        }
+    }
+
+    /// How far the place is beyond one of its limits, and its rate: of edges times the square of the sine between them, which bends less; `spare` beyond it is not.
+    pub(in crate::spatial) fn beyond(&self, limit: usize, state: &State, spare: f64) -> [f64; 2] {
+        let pose = state.pose();
+        let spin = pose.attitude.apply(state.spin);
+        match self {
+            Self::Corner { .. } => [-self.margin(limit, pose) - spare, -self.margin_rate(limit, state)],
+            Self::Cross { own, other } => {
+                let Crossed { along, sine, between, .. } = Crossed::of(own, other, pose);
+                let moves = state.velocity + spin.cross(pose.attitude.apply(own.from));
+                let (turns, edge) = (spin.cross(along), other.along);
+                let (straight, bent) = (along.cross(edge), turns.cross(edge));
+                let (square, widens) = (sine * sine, 2.0 * straight.dot(bent));
+                let (run, rate, length) = if limit < 2 {
+                    let run = between.cross(edge);
+                    (run.dot(straight), moves.cross(edge).dot(straight) + run.dot(bent), own.length)
+                } else {
+                    let run = between.cross(along);
+                    let rate = moves.cross(along) + between.cross(turns);
+                    (run.dot(straight), rate.dot(straight) + run.dot(bent), other.length)
+                };
+                let (run, rate) = if limit.is_multiple_of(2) {
+                    (run, rate)
+                } else {
+                    (-run - length * square, -rate - length * widens)
+                };
+                [run - spare * square, rate - spare * widens]
+            }
         }
     }
 
@@ -259,26 +289,4 @@ impl Pair {
         let outside = |sides: [Vec3; 2], out: Vec3| sides.iter().all(|side| side.dot(out) <= BETWEEN_FACES);
         gap.is_finite() && outside(other.sides, normal) && outside(own.sides, pose.attitude.undo(-normal))
     }
-}
-
-/// The distance between two segments, each by its start and the way to its end.
-///
-/// # Source
-/// C. Ericson, Real-Time Collision Detection (2005), 5.1.9.
-fn between([p, a]: [Vec3; 2], [q, b]: [Vec3; 2]) -> f64 {
-    let w = p - q;
-    let (aa, bb, ab, aw, bw) = (a.dot(a), b.dot(b), a.dot(b), a.dot(w), b.dot(w));
-    let square = aa * bb - ab * ab;
-    let on = |x: f64| x.clamp(0.0, 1.0);
-    let first = if square > PARALLEL_EDGES * aa * bb { on((ab * bw - aw * bb) / square) } else { 0.0 };
-    let second = (ab * first + bw) / bb;
-    // Beyond an end of the second segment that end is the nearest.
-    let first = if second < 0.0 {
-        on(-aw / aa)
-    } else if second > 1.0 {
-        on((ab - aw) / aa)
-    } else {
-        first
-    };
-    (w + a * first - b * on(second)).norm()
 }

@@ -1,8 +1,10 @@
 //! Where supports touch: the place, the normal, and how they move.
 
-use super::pair::{Meeting, Pair, Passing};
+use super::pair::{Meeting, Most, Pair, Passing};
+use super::posture::Height;
 use super::state::{Pose, State};
 use super::supports::Supports;
+use super::surface::Limit;
 use super::world::{Support, World};
 use crate::tolerance::{BEYOND_END, RESTING_SLIP};
 use carom_num::Vec3;
@@ -136,18 +138,48 @@ impl World {
         }
     }
 
-    /// How far a point of the body has to go at least before it is over a face that has ends, and on its side of it; or before edges cross \[m\].
-    pub(in crate::spatial) fn aside(&self, number: usize, state: &State) -> f64 {
-        let beyond = BEYOND_END * self.body().reach();
+    /// For so long at least a support stays beside the face that has ends, or its edges stay beside each other, if they are so now \[s\].
+    pub(in crate::spatial) fn stays_aside(
+        &self,
+        number: usize,
+        state: &State,
+        most: &Most,
+        time: f64,
+    ) -> f64 {
+        let spare = BEYOND_END * self.body().reach();
+        let still = self.still(state);
+        // At the very end it stays no contact as long as it leaves.
+        let for_long = |[beyond, rate]: [f64; 2], bend: f64, scale: f64| {
+            let height = Height { value: beyond, rate, second: 0.0 };
+            if beyond > 0.0 {
+                height.safe(bend)
+            } else if beyond >= -1.5 * spare * scale && rate > still * scale {
+                rate / bend
+            } else {
+                0.0
+            }
+        };
         if let Some(pair) = self.pair(number) {
-            return (pair.aside(state.pose()) - beyond).max(0.0);
+            let ([_, bend], scale) = (pair.bend(state, most, time), pair.scale(state.pose()));
+            let of = |limit: usize| for_long(pair.beyond(limit, state, spare), bend, scale);
+            return (0..pair.limits()).map(of).fold(0.0, f64::max);
         }
-        if self.limits(number) == 0 {
+        let limits = &self.limits[self.plane_of(number)];
+        if limits.is_empty() {
             return 0.0;
         }
-        let margins = (0..self.limits(number)).map(|limit| self.margin(number, limit, state.pose()));
-        let behind = -self.support(number).plane.height(state.centre);
-        margins.map(|margin| -margin - beyond).fold(behind, f64::max).max(0.0)
+        let Support { feature, plane } = self.support(number);
+        let (place, velocity) = (state.place(feature.point), state.velocity_of(feature.point));
+        let bend = most.acceleration + feature.point.norm() * (most.turning + most.spin * most.spin);
+        let of =
+            |limit: &Limit| for_long([-limit.margin(place) - spare, -limit.inward.dot(velocity)], bend, 1.0);
+        let behind = [-plane.height(state.centre), -plane.normal().dot(state.velocity)];
+        limits.iter().map(of).fold(for_long(behind, most.acceleration, 1.0), f64::max)
+    }
+
+    /// Places that move slower than this along a face or an edge stay where they are [m/s].
+    fn still(&self, state: &State) -> f64 {
+        RESTING_SLIP * self.scales().speed.max(state.velocity.norm())
     }
 
     /// True where a support may touch, were its height zero: its place is on the face or the edges, and does not leave them at their very end.
@@ -160,7 +192,7 @@ impl World {
                 self.limits[self.plane_of(number)][limit].inward.dot(velocity)
             }
         };
-        let still = RESTING_SLIP * self.scales().speed.max(state.velocity.norm());
+        let still = self.still(state);
         let stays = |limit: usize| {
             let margin = self.margin(number, limit, state.pose());
             margin > 0.5 * beyond || margin >= -beyond && rate(limit) >= -still

@@ -138,7 +138,9 @@ impl Mode {
 
 /// The supports of each plane on the point, line or plane that these span of it: they stay on the plane with them.
 pub(in crate::spatial) fn spanned(world: &World, bearing: Supports) -> Supports {
-    let planes = 0..world.planes().len();
+    // Of a face that has ends others may be on its plane, and beyond them.
+    let endless = |plane: &usize| world.of_plane(*plane).iter().next().is_none_or(|i| world.limits(i) == 0);
+    let planes = (0..world.planes().len()).filter(endless);
     planes.map(|plane| spanned_of(world, bearing, world.of_plane(plane))).fold(bearing, Supports::union)
 }
 

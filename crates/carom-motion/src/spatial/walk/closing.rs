@@ -102,7 +102,7 @@ impl Walker<'_> {
             }
         }
         for (i, height) in self.heights.iter_mut().enumerate().take(world.count()) {
-            if held.contains(i) || rests && *height < LIES_ON_PLANE * self.scales.length {
+            if held.contains(i) || rests && height.abs() < LIES_ON_PLANE * self.scales.length {
                 *height = 0.0;
             }
         }

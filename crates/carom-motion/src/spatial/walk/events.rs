@@ -5,7 +5,7 @@ use super::motion::{Event, Motion};
 use crate::evaluated::{Quantity, evaluated};
 use crate::spatial::geometry::posture::{Bend, Height, Posture};
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{CORRECTION_ROUNDING, LEAST_MARCH, SKIMS, SKIMS_MEASURED, TOUCHES_AT_START};
+use crate::tolerance::{BESIDE, CORRECTION_ROUNDING, LEAST_MARCH, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED};
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
@@ -59,21 +59,18 @@ impl<M: Motion> Gliding<'_, '_, M> {
             None => self.motion.bend(self.walker.world, support, at, time),
             Some(pair) => {
                 let most = self.motion.most(at, time);
-                Bend::own(pair.bend(&self.motion.moving(at).state, &most, time))
+                Bend::own(pair.bend(&self.motion.moving(at).state, &most, time)[0])
             }
         }
     }
 
     /// For so long at least the place of a support stays beside the face that has ends, if it is beside it.
     fn stays_aside(&self, support: usize, at: &Posture, time: f64) -> f64 {
-        let state = self.motion.moving(at).state;
-        let aside = self.walker.world.aside(support, &state);
-        if aside == 0.0 {
+        if self.walker.world.limits(support) == 0 {
             return 0.0;
         }
-        let most = self.motion.most(at, time);
-        let speed = state.velocity.norm() + most.acceleration * time + most.spin * self.walker.scales.length;
-        aside / speed
+        let (state, most) = (self.motion.moving(at).state, self.motion.most(at, time));
+        self.walker.world.stays_aside(support, &state, &most, time)
     }
 
     /// A face or an edge has ends: a support of it touches where its place is between them.
@@ -127,8 +124,9 @@ impl<M: Motion> Gliding<'_, '_, M> {
     /// A support with this height goes along its plane for the whole step and never leaves it: beside a wall, where nothing presses it.
     fn skims(&mut self, step: &Step<M::Y>, support: usize, height: &Height) -> bool {
         // What is measured in the world is less exact than what is counted on.
-        let near = if self.walker.world.pair(support).is_some() { SKIMS_MEASURED } else { SKIMS };
-        let (low, slow) = (near * self.walker.scales.length, near * self.walker.scales.speed);
+        let ends = self.walker.world.limits(support) > 0;
+        let (low, slow) = if ends { (SKIMS_BESIDE, SKIMS_MEASURED) } else { (SKIMS, SKIMS) };
+        let (low, slow) = (low * self.walker.scales.length, slow * self.walker.scales.speed);
         let stays = |height: &Height| height.value.abs() <= low && height.rate.abs() <= slow;
         let beside = self.walker.world.planes().len() > 1;
         if beside && stays(height) && SKIMMED.into_iter().all(|x| stays(&self.look(step, support, x))) {
@@ -155,7 +153,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
     ) -> Option<Found<Event>> {
         let length = step.length;
         let ends = self.walker.world.limits(support) > 0;
-        let behind = TOUCHES_AT_START * self.walker.scales.length;
+        let behind = BESIDE * self.walker.scales.length;
         let mut x = from;
         while x < until {
             let at = self.place(step, x).1;
@@ -164,16 +162,13 @@ impl<M: Motion> Gliding<'_, '_, M> {
             if height.value.is_nan() || x == from && self.skims(step, support, &height) {
                 return None;
             }
-            let aside = self.stays_aside(support, &at, (until - x) * length);
-            if aside > 0.0 {
-                x += (aside / length).max(LEAST_MARCH);
-                continue;
-            }
             let bend = self.bend(support, &at, (until - x) * length);
+            let aside = self.stays_aside(support, &at, (until - x) * length);
             // Beside a face, or beyond an edge: what comes through from behind touches nothing.
-            if ends && height.value < -behind {
-                let other = Height { value: -height.value, rate: -height.rate, second: -height.second };
-                x += (other.clear(&bend) / length).max(LEAST_MARCH);
+            if aside > 0.0 || ends && height.value < -behind {
+                let rate = height.rate.copysign(height.rate * height.value);
+                let other = Height { value: height.value.abs(), rate, second: 0.0 };
+                x += (other.clear(&bend).max(aside) / length).max(LEAST_MARCH);
                 continue;
             }
             // Until here the bound on the acceleration holds.

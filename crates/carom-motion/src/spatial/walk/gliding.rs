@@ -8,7 +8,7 @@ use crate::spatial::geometry::state::measured;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::record::run::Budget;
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{SHORTEST_SPATIAL_STEP, SMALL_HEIGHT, TOUCHES_AT_START};
+use crate::tolerance::{SHORTEST_SPATIAL_STEP, SKIMS_MEASURED, SMALL_HEIGHT, TOUCHES_AT_START};
 use carom_num::Vec3;
 use carom_num::course::{self, Course, Found, Lost, Pace};
 use carom_num::ode8::{Step, Trial, Vector, step_plain};
@@ -44,11 +44,12 @@ pub(super) struct Gliding<'g, 'w, M> {
 
 impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     pub(in crate::spatial) fn from(walker: &'g mut Walker<'w>, motion: M, first: &M::Y) -> Self {
-        let (world, small) = (walker.world, SMALL_HEIGHT * walker.scales.length);
+        let (world, near) = (walker.world, SKIMS_MEASURED * walker.scales.length);
         let at = motion.posture(first, 0.0);
         let count = |i: usize| {
             let (noted, gap) = (walker.heights[i], motion.gap(world, i, &at).value);
-            if noted.abs() <= small && gap.abs() <= small { noted - gap } else { 0.0 }
+            // What has just touched is at no height, however little the projection of others has moved it.
+            if noted == 0.0 || (noted - gap).abs() <= near { noted - gap } else { 0.0 }
         };
         let counted = (world.of_faces()..world.count()).map(count).collect();
         let (body, held) = (walker.world.body(), walker.mode.held(walker.world));
@@ -102,7 +103,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
             let counted = self.height(support, at).value;
             self.walker.heights[support] = if self.held.contains(support) {
                 0.0
-            } else if counted > SMALL_HEIGHT * self.walker.scales.length {
+            } else if counted.abs() > SMALL_HEIGHT * self.walker.scales.length {
                 measured(world, &self.walker.state, foot, support)
             } else {
                 counted

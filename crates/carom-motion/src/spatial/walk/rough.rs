@@ -14,7 +14,7 @@ use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End};
 use crate::spatial::terms::Choice;
-use crate::tolerance::{CONES_LEFT_AT_ONCE, RESTING_SLIP, SLIPS_AHEAD};
+use crate::tolerance::{CONES_LEFT_AT_ONCE, RESTING_SLIP, SLIPS_AHEAD, WEIGHTLESS};
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 use carom_num::ode8::step_plain;
@@ -224,8 +224,25 @@ impl<'w> Walker<'w> {
                 let carries = self.slips_against(held.iter().filter(alike).collect())?;
                 self.enter(carries, held)
             }
-            (None, None) => self.strike_unapproached(held),
+            // The law lets them go on, with other shares than equal springs have: the one that these would have pull is let go.
+            (None, None) => match self.pulls()? {
+                Some(one) => self.hold_rough(held, Some(one)),
+                None => self.strike_unapproached(held),
+            },
         }
+    }
+
+    /// The support of a sliding body that would pull most, or carries nothing.
+    fn pulls(&self) -> Result<Option<usize>, MotionError> {
+        if !matches!(self.mode, BodyMode::Slides { .. }) {
+            return Ok(None);
+        }
+        let (sliding, first) = self.sliding()?;
+        let forces = sliding.forces(&first).unwrap_or_default();
+        let normal = |(i, force): &(usize, Vec3)| self.world.normal(*i, self.state.pose()).dot(*force);
+        let least = forces.iter().map(|f| (f.0, normal(f))).min_by(|a, b| a.1.total_cmp(&b.1));
+        let nothing = WEIGHTLESS * self.world.body().mass() * self.world.gravity().norm();
+        Ok(least.filter(|(_, normal)| *normal <= nothing).map(|(i, _)| i))
     }
 
     /// The state a short time later, if the mode goes on.

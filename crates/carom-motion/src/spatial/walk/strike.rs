@@ -15,7 +15,7 @@ use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End, Impact};
 use crate::tolerance::{
-    AT_REST_AT_START, COMES_DOWN_AT_ONCE, FLAT, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
+    AT_REST_AT_START, BESIDE, COMES_DOWN_AT_ONCE, FLAT, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
 };
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
@@ -100,7 +100,7 @@ impl Walker<'_> {
         let touches = |i: &usize| self.heights[*i] <= (-self.rise_of(*i) * at_once).max(low(*i));
         let ends = |i: &usize| self.world.limits(*i) > 0;
         // Below a face that has ends the body may be beside it.
-        let near = |i: &usize| !ends(i) || self.heights[*i] >= -TOUCHES_AT_START * self.scales.length;
+        let near = |i: &usize| !ends(i) || self.heights[*i] >= -BESIDE * self.scales.length;
         let touching = (0..self.world.count()).filter(|i| touches(i) && near(i)).collect();
         let held = self.mode.held(self.world).union(touching);
         held.iter().filter(|i| !ends(i) || self.world.is_within(*i, &self.state)).collect()
