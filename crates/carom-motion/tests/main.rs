@@ -23,6 +23,7 @@ mod rebound_series;
 mod rests;
 mod rocking;
 mod spatial_balls;
+mod spatial_blocks;
 mod spatial_circles;
 mod spatial_corners;
 mod spatial_edges;

@@ -284,9 +284,19 @@ impl Pair {
 
     /// Edges touch in a direction that is outside of both: between the faces of each. A face touches a corner from wherever it is.
     pub(in crate::spatial) fn faces(&self, pose: Pose) -> bool {
-        let Self::Cross { own, other } = self else { return true };
-        let Meeting { normal, gap, .. } = self.meeting(pose);
-        let outside = |sides: [Vec3; 2], out: Vec3| sides.iter().all(|side| side.dot(out) <= BETWEEN_FACES);
-        gap.is_finite() && outside(other.sides, normal) && outside(own.sides, pose.attitude.undo(-normal))
+        !self.is_parallel(pose) && self.turned_away(pose) <= 0.0
+    }
+
+    /// How far edges are turned from directions in which they touch, times the sine between them: at most 2 |ω| takes it back.
+    pub(in crate::spatial) fn turned_away(&self, pose: Pose) -> f64 {
+        let Self::Cross { own, other } = self else { return 0.0 };
+        let Crossed { across, sine, .. } = Crossed::of(own, other, pose);
+        let inner = pose.attitude.undo(-across);
+        let sides = other.sides.map(|side| side.dot(across)).into_iter();
+        let most = sides.chain(own.sides.map(|side| side.dot(inner))).fold(f64::NEG_INFINITY, f64::max);
+        most - BETWEEN_FACES * sine
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -162,7 +162,9 @@ impl World {
         if let Some(pair) = self.pair(number) {
             let ([_, bend], scale) = (pair.bend(state, most, time), pair.scale(state.pose()));
             let of = |limit: usize| for_long(pair.beyond(limit, state, spare), bend, scale);
-            return (0..pair.limits()).map(of).fold(0.0, f64::max);
+            let turns = pair.turned_away(state.pose()).max(0.0) / (2.0 * most.spin);
+            let turns = if turns.is_nan() { 0.0 } else { turns };
+            return (0..pair.limits()).map(of).fold(turns, f64::max);
         }
         let limits = &self.limits[self.plane_of(number)];
         if limits.is_empty() {

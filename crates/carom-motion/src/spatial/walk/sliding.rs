@@ -6,14 +6,15 @@
 //!
 //! Where edges cross, or a face is on a corner, the normal of the foot turns: its slip is then one of three dimensions along the world's axes, and the way is that of the mass centre.
 
-use crate::tolerance::{SHORTEST_SPATIAL_STEP, SLIP_GROWN, SLIP_SPECK, SLIP_STOPPED};
+use crate::tolerance::{SHORTEST_SPATIAL_STEP, SLIP_GROWN, SLIP_STOPPED};
 pub(in crate::spatial) mod carriers;
 mod events;
 mod load;
 pub(in crate::spatial) mod moment;
 mod projection;
+mod start;
 
-use self::carriers::{Carried, Carrier, carriers_of};
+use self::carriers::Carrier;
 use super::motion::{Event, Motion};
 use crate::spatial::geometry::body::Body;
 use crate::spatial::geometry::feature::Feature;
@@ -22,9 +23,7 @@ use crate::spatial::geometry::posture::{Bend, Height, Posture, Upright};
 use crate::spatial::geometry::state::{Pose, State};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::{Scales, Support, World};
-use crate::spatial::modes::grip::MOST_BEARING;
-use crate::spatial::modes::mode::{Mode, normal_of};
-use crate::spatial::modes::stretch::{Heights, uprights};
+use crate::spatial::modes::stretch::Heights;
 use carom_num::ode8::Step;
 use carom_num::{Rotation, Vec3};
 
@@ -103,98 +102,7 @@ pub(in crate::spatial) struct Sliding<'w> {
     most: [f64; 3],
 }
 
-/// From the foot to the other end of the edge that carries a body, body axes.
-fn edge_from(world: &World, foot: &Feature, mode: Mode) -> Option<Vec3> {
-    let Mode::Edge { ends, .. } = mode else { return None };
-    let [a, b] = ends.map(|end| world.point(end) - foot.point);
-    Some(if a.norm() > b.norm() { a } else { b })
-}
-
-impl<'w> Sliding<'w> {
-    /// The stretch that starts from a state. `None` without friction, and where no support carries the body or more do than [`MOST_BEARING`].
-    pub(super) fn from(
-        world: &'w World,
-        carried: &Carried<'_>,
-        state: &State,
-        heights: &Heights,
-    ) -> Option<(Self, Vector)> {
-        let body = world.body();
-        let bearing = carried.sticking.union(carried.slipping);
-        if bearing.is_empty() || bearing.len() > MOST_BEARING {
-            return None;
-        }
-        let velocity = |arm: Vec3| state.velocity + state.attitude.apply(state.spin.cross(arm));
-        let speed = |i: usize| velocity(world.arm(i, state.pose())).norm();
-        let slowest = || carried.slipping.iter().min_by(|a, b| speed(*a).total_cmp(&speed(*b)));
-        // One of a face, where there is one: its plane keeps digits.
-        let sticking = || carried.sticking.iter().next();
-        let support = carried.sticking.iter().find(|i| world.pair(*i).is_none());
-        let support = support.or_else(sticking).or_else(slowest)?;
-        let pair = world.pair(support).map(|_| support);
-        let foot = if pair.is_some() { Feature::point(Vec3::ZERO) } else { *world.support(support).feature };
-        let plane = if pair.is_some() { None } else { Some(world.plane_of(support)) };
-        let carriers = carriers_of(world, carried, state, support)?;
-        let speck = SLIP_SPECK * world.scales().speed;
-        let starts = |c: &Carrier| c.lead != Vec3::ZERO && speed(c.support) <= speck;
-        let grown = carriers.iter().filter(|c| !c.sticks && !starts(c)).map(|c| c.support).collect();
-        let starting = carriers.iter().filter(|c| starts(c)).map(|c| c.support).collect();
-        let resting: Vec<&Carrier> = carriers.iter().filter(|c| c.sticks || starts(c)).collect();
-        let (foot_rests, several_rest) = (resting.iter().any(|c| c.is_foot), resting.len() > 1);
-        let paired = world.has_pairs(bearing);
-        let loose = paired || !world.are_alike(bearing);
-        let apart = loose || !world.is_of_one_plane(bearing);
-        let mode = Mode::holding(world, bearing, state.pose());
-        let edge = if apart { None } else { edge_from(world, &foot, mode) };
-        let flat = matches!(mode, Mode::Rest { .. }) && !apart;
-        let normal = flat.then(|| normal_of(world, bearing, state.pose())).flatten();
-        let frame = plane.map_or([Vec3::X, Vec3::Y, Vec3::Z], |plane| world.planes()[plane].axes());
-        let axes = frame.map(|axis| state.attitude.undo(axis));
-        let [east, north, up] = frame.map(|axis| world.gravity().dot(axis));
-        let place = match plane {
-            Some(plane) => {
-                world.planes()[plane].onto(state.place(foot.point)) + frame[2] * foot.depth(axes[2])
-            }
-            None => state.centre,
-        };
-        let mut motion = Self {
-            world,
-            body,
-            scales: world.scales(),
-            gravity: Vec3::new(east, north, up),
-            attitude: state.attitude,
-            heights: heights.clone(),
-            planes: uprights(world, state.attitude),
-            carriers,
-            foot,
-            plane,
-            pair,
-            paired,
-            ways: if pair.is_some() { 3 } else { 2 },
-            place,
-            frame,
-            axes,
-            apart,
-            redundant: false,
-            loose,
-            normal: normal.map(|n| if n.dot(axes[2]) < 0.0 { -n } else { n }),
-            edge,
-            speck,
-            grown,
-            most: [0.0; 3],
-        };
-        let spin = state.spin;
-        let slip = if foot_rests { Vec3::ZERO } else { velocity(world.arm(support, state.pose())) };
-        let slip = if pair.is_some() { world.along(support, state.pose(), slip) } else { slip };
-        // Two points of a plane at rest: nothing turns about its normal.
-        let yaw = if several_rest && !apart { 0.0 } else { spin.dot(axes[2]) };
-        let mut first = [0.0; DIMENSIONS];
-        (first[0], first[4], first[5], first[6], first[YAW]) = (1.0, spin.x, spin.y, spin.z, yaw);
-        (0..motion.ways).for_each(|k| first[SLIP + k] = slip.dot(frame[k]));
-        let first = if apart { motion.projected(&first, starting) } else { motion.tidied(&first) };
-        motion.note_idle(&first);
-        Some((motion, first))
-    }
-
+impl Sliding<'_> {
     /// The same, where the slip of a support has come to its end: it is zero. The slower a slip is, the faster friction turns it, so that on its last
     /// way no straight step knows its direction. What such a step leaves across the slip is the error of the integration, however large it is beside
     /// the slip.
