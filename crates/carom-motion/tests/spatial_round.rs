@@ -95,7 +95,7 @@ fn wrong(world: &World, drawn: &[Drawn], (mode, state): (&Mode, &State)) -> Opti
     }
     let Mode::Slides { sticking, slipping } = mode else { return None };
     let size = state.velocity.norm() + state.spin.norm() * reach + world.scales().speed;
-    let velocity = |i: usize| state.velocity_of(world.touches_at(i, &state).unwrap());
+    let velocity = |i: usize| state.velocity_of(world.touches_at(i, state).unwrap());
     let slips = |i: usize| velocity(i).norm() / size;
     let leaves = |i: usize| world.planes()[i / drawn.len()].normal().dot(velocity(i)).abs() / size;
     let stuck = sticking.iter().map(|i| (i, slips(i))).chain(slipping.iter().map(|i| (i, leaves(i))));

@@ -222,14 +222,14 @@ fn bodies_that_cannot_be_are_refused() {
         &[said, "with friction at most 16 contacts", "without friction 12"],
     );
     let mut many: Vec<String> = vec![];
-    for i in 0..200 {
-        let z = -0.99 + 0.0099 * f64::from(i);
+    for i in 0..1100 {
+        let z = -0.99 + 0.0018 * f64::from(i);
         let r = (1.0 - z * z).sqrt();
         let angle = 2.4 * f64::from(i);
         let (x, y) = (r * carom_num::elementary::cos(angle), r * carom_num::elementary::sin(angle));
         many.push(format!("[{x}, {y}, {z}]"));
     }
-    refused(&format!("vertices = [{}]\n", many.join(", ")), 1, &["its hull has 200 vertices: at most 128"]);
+    refused(&format!("vertices = [{}]\n", many.join(", ")), 1, &["its hull has 1100 vertices: at most 1024"]);
 }
 
 /// A bolt whose head is a hexagon and whose shank has twelve sides, as it is shipped.

@@ -4,7 +4,7 @@
 //! its normal and the velocity s of the body's material there, s is accelerated by `a + α × r + ω × (ẋ − v)`, and the gap, whose rate is `n · s`, by `n` times
 //! that and by `ṅ · s`.
 
-use super::posture::Height;
+use super::posture::{Height, Most, Moving};
 use super::state::{Pose, State};
 use super::surface::{Edge, Facet};
 use crate::tolerance::{BETWEEN_FACES, PARALLEL_EDGES};
@@ -49,24 +49,6 @@ pub(in crate::spatial) struct Passing {
     pub(in crate::spatial) normal: Vec3,
     /// Velocity of the body's material there.
     pub(in crate::spatial) slip: Vec3,
-}
-
-/// A body at an instant, and how its motion changes.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::spatial) struct Moving {
-    pub(in crate::spatial) state: State,
-    /// Of the mass centre, world axes.
-    pub(in crate::spatial) acceleration: Vec3,
-    /// Angular acceleration, body axes.
-    pub(in crate::spatial) turning: Vec3,
-}
-
-/// What a motion does not exceed for some time: the spin, its rate, the acceleration of the mass centre.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::spatial) struct Most {
-    pub(in crate::spatial) spin: f64,
-    pub(in crate::spatial) turning: f64,
-    pub(in crate::spatial) acceleration: f64,
 }
 
 /// Two edges at an instant, world axes.

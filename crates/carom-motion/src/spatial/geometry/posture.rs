@@ -4,7 +4,6 @@
 //! says how much they have risen since: so the height of a hop keeps its digits, however small it is beside the body.
 
 use super::feature::Feature;
-use super::pair::Moving;
 use super::state::State;
 use carom_num::poly::first_root;
 use carom_num::{Rotation, Vec3};
@@ -60,6 +59,24 @@ pub(in crate::spatial) struct Posture {
     pub(in crate::spatial) from: Vec3,
     /// How far that point has gone since, its velocity and its acceleration, world axes.
     pub(in crate::spatial) base: [Vec3; 3],
+}
+
+/// A body at an instant, and how its motion changes.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Moving {
+    pub(in crate::spatial) state: State,
+    /// Of the mass centre, world axes.
+    pub(in crate::spatial) acceleration: Vec3,
+    /// Angular acceleration, body axes.
+    pub(in crate::spatial) turning: Vec3,
+}
+
+/// What a motion does not exceed for some time: the spin, its rate, the acceleration of the mass centre.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Most {
+    pub(in crate::spatial) spin: f64,
+    pub(in crate::spatial) turning: f64,
+    pub(in crate::spatial) acceleration: f64,
 }
 
 /// A plane's normal as a stretch of motion sees it.

@@ -1,7 +1,7 @@
 //! Where supports touch: the place, the normal, and how they move.
 
-use super::pair::{Meeting, Most, Pair, Passing};
-use super::posture::Height;
+use super::pair::{Meeting, Pair, Passing};
+use super::posture::{Height, Most};
 use super::state::{Pose, State};
 use super::supports::Supports;
 use super::surface::Limit;

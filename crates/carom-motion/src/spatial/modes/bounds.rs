@@ -2,8 +2,7 @@
 
 use super::mode::{Equations, Mode};
 use crate::spatial::geometry::body::principal_range;
-use crate::spatial::geometry::pair::Most;
-use crate::spatial::geometry::posture::{Bend, Posture};
+use crate::spatial::geometry::posture::{Bend, Most, Posture};
 use crate::spatial::geometry::world::{Support, World};
 use crate::tolerance::ENERGY_ROOM;
 use carom_num::Vec3;

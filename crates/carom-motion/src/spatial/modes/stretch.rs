@@ -1,8 +1,7 @@
 //! One stretch of motion: from what the integration takes to the state of the body, and back.
 
 use super::mode::{Equations, Mode, Vector, normalised, pack, unpack};
-use crate::spatial::geometry::pair::Moving;
-use crate::spatial::geometry::posture::{Height, Posture, Upright};
+use crate::spatial::geometry::posture::{Height, Moving, Posture, Upright};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::world::{Support, World};
 use carom_num::{Rotation, Vec3};

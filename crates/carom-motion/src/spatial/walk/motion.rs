@@ -1,7 +1,6 @@
 //! A stretch of motion as its integration and the search for its events see it.
 
-use crate::spatial::geometry::pair::{Most, Moving};
-use crate::spatial::geometry::posture::{Bend, Height, Posture};
+use crate::spatial::geometry::posture::{Bend, Height, Most, Moving, Posture};
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::world::World;
 use crate::spatial::modes::bounds::Bounds;

@@ -176,7 +176,7 @@ pub(super) fn strike_report(
     let contacts = contacts(problem, &states, &followed, [impact.kept, impact.sliding], &|k| {
         let impulse = impact.impulses.get(k).map_or(Vec3::ZERO, |(_, p)| *p);
         let Some((i, _)) = impact.impulses.get(k) else { return [impulse, Vec3::ZERO] };
-        let place = problem.world.touches_at(*i, impact.attitude).unwrap_or(Vec3::ZERO);
+        let place = problem.world.touches_at(*i, &strike.before).unwrap_or(Vec3::ZERO);
         let velocity = strike.after.velocity_of(place);
         // What stays on the plane, or rests, is known better than the impulses say it.
         let velocity = match (impact.kept.contains(*i), impact.sliding.contains(*i)) {

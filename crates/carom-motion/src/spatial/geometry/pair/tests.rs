@@ -80,7 +80,7 @@ fn the_gap_changes_as_its_derivatives_say() {
     for pair in pairs() {
         // Brought to where the two touch: the rate of the gap is that of the material there.
         let Meeting { normal, gap, .. } = pair.meeting(from.state.pose());
-        from.state.centre = from.state.centre - normal * gap;
+        from.state.centre -= normal * gap;
         let Height { value, rate: falls, second } = pair.height(&from);
         let gap = rate(&from, |s| pair.meeting(s.pose()).gap);
         let bent = rate(&from, |s| pair.height(&Moving { state: *s, ..from }).rate);

@@ -29,6 +29,6 @@ impl Sliding<'_> {
 
     /// What is left of the cones of those that stick, where those that slip do not pull.
     pub(super) fn left(&self, now: &Moment) -> f64 {
-        left_of(&self.body, &self.loaded(now))
+        left_of(self.body, &self.loaded(now))
     }
 }

@@ -147,7 +147,7 @@ impl Sliding<'_> {
     }
 
     pub(in crate::spatial) fn reactions(&self, now: &Moment) -> Option<Reactions> {
-        let grip = Grip { body: &self.body, bearings: &now.bearings };
+        let grip = Grip { body: self.body, bearings: &now.bearings };
         if self.loose { grip.corrections() } else { grip.reactions() }
     }
 

@@ -59,7 +59,7 @@ impl Sliding<'_> {
 
     /// How the mass centre and the body answer impulses that take the drives away: velocity and spin, body axes.
     fn answered(&self, bearings: &[Bearing]) -> Option<(Vec3, Vec3)> {
-        let push = Grip { body: &self.body, bearings }.corrections()?;
+        let push = Grip { body: self.body, bearings }.corrections()?;
         Some((push.force / self.body.mass(), self.body.mobility() * push.moment))
     }
 
