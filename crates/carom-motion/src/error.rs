@@ -48,6 +48,14 @@ pub enum MotionError {
         /// How far [m].
         depth: f64,
     },
+    /// The body overlaps a plate or a solid at the start.
+    #[error("the body starts {depth} m deep in obstacle {obstacle}")]
+    Overlaps {
+        /// Which one: obstacles are numbered from 0 in the order in which they were given.
+        obstacle: usize,
+        /// How far it has to move to be out of it [m].
+        depth: f64,
+    },
     /// The start has a support that slides along a plane without friction, on which nothing slides.
     #[error("support {support} starts on the plane and slides at {speed} m/s")]
     Slides {

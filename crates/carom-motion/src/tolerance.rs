@@ -176,6 +176,8 @@ pub(crate) const BESIDE: f64 = 1e-10;
 pub(crate) const PARALLEL_EDGES: f64 = 1e-9;
 /// A place is on a face or an edge up to this beyond its end, in units of the body's reach.
 pub(crate) const BEYOND_END: f64 = 1e-12;
+/// Contacts no farther apart than this, in units of the reach, whose normals differ by no more, are one.
+pub(crate) const ONE_PLACE: f64 = 1e-9;
 /// An edge may touch another in a direction this far, as a sine, from those between its faces.
 pub(crate) const BETWEEN_FACES: f64 = 1e-9;
 /// Three normals whose determinant is smaller leave the place of their common point open.

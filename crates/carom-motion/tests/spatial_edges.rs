@@ -1,6 +1,7 @@
 //! Bodies on the edges and corners of plates and solids, against closed forms.
 
 use crate::bodies::ran;
+use carom_motion::MotionError;
 use carom_motion::spatial::{
     Body, Budget, End, Friction, Mode, Obstacle, Options, Plane, Polyhedron, Run, Samples, State, World, run,
 };
@@ -185,18 +186,12 @@ fn a_plate_slides_level_over_three_tips() {
 
 /// Where a box comes to rest that falls on a block, in a world that is turned and moved.
 fn fallen(turn: Rotation, shift: Vec3) -> Run {
-    let corners = |half: Vec3| {
-        (0..8).map(move |i: u32| {
-            let side = |bit: u32, x: f64| if i >> bit & 1 == 1 { x } else { -x };
-            Vec3::new(side(0, half.x), side(1, half.y), side(2, half.z))
-        })
-    };
-    let block: Vec<Vec3> = corners(Vec3::new(0.1, 0.15, 0.05)).map(|r| turn.apply(r) + shift).collect();
+    let block: Vec<Vec3> =
+        corners(Vec3::new(0.1, 0.15, 0.05)).into_iter().map(|r| turn.apply(r) + shift).collect();
     let block = Obstacle::solid(&Polyhedron::of_points(&block, 1e-12).unwrap());
     let up = turn.apply(Vec3::Z);
     let floor = Plane::new(up, up.dot(shift) - 0.05).unwrap();
-    let body =
-        Body::new(1.0, Mat3::diagonal(0.002, 0.003, 0.004), corners(Vec3::new(0.06, 0.05, 0.03)).collect());
+    let body = Body::new(1.0, Mat3::diagonal(0.002, 0.003, 0.004), corners(Vec3::new(0.06, 0.05, 0.03)));
     let world = around(body.unwrap(), up * -G, 0.3, vec![block, floor.into()]);
     let start = State {
         centre: turn.apply(Vec3::new(0.12, 0.02, 0.3)) + shift,
@@ -219,4 +214,59 @@ fn a_world_with_a_block_may_be_turned_and_moved() {
     }
     let apart = (turn.apply(plain.state.centre) + shift - turned.state.centre).norm();
     assert!(apart < 1e-9, "{apart:e}");
+}
+
+/// The corners of a box about its middle.
+fn corners(half: Vec3) -> Vec<Vec3> {
+    let side = |i: u32, bit: u32, x: f64| if i >> bit & 1 == 1 { x } else { -x };
+    (0..8).map(|i| Vec3::new(side(i, 0, half.x), side(i, 1, half.y), side(i, 2, half.z))).collect()
+}
+
+/// A box of 12 by 8 by 6 cm on a block, its middle this far from the block's, at rest.
+fn lies_on(block: Vec3, beside: Vec3) -> Run {
+    let half = Vec3::new(0.06, 0.04, 0.03);
+    let body = Body::new(1.0, Mat3::diagonal(0.0009, 0.0015, 0.0018), corners(half)).unwrap();
+    let block = corners(block).into_iter().map(|r| r - Vec3::Z * block.z).collect::<Vec<_>>();
+    let block = Obstacle::solid(&Polyhedron::of_points(&block, 1e-12).unwrap());
+    let floor = Plane::new(Vec3::Z, -1.0).unwrap();
+    let world = around(body, Vec3::Z * -G, 0.5, vec![block, floor.into()]);
+    let centre = beside + Vec3::Z * half.z;
+    let start = State { centre, attitude: Rotation::NONE, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+    run(&world, &start, &Options::default(), &mut ()).unwrap()
+}
+
+#[test]
+fn a_box_rests_on_a_block_as_long_as_its_middle_is_over_it() {
+    let wide = Vec3::new(0.1, 0.1, 0.05);
+    // Over the middle, over one end, over a corner, on a block of its own size, and on one that is smaller.
+    let half = Vec3::new(0.06, 0.04, 0.03);
+    let small = Vec3::new(0.03, 0.02, 0.02);
+    for (block, beside) in [
+        (wide, Vec3::ZERO),
+        (wide, Vec3::X * 0.099),
+        (wide, Vec3::new(0.09, -0.09, 0.0)),
+        (wide, Vec3::new(0.04, 0.06, 0.0)),
+        (half, Vec3::ZERO),
+        (half, Vec3::new(0.02, 0.01, 0.0)),
+        (small, Vec3::ZERO),
+        (small, Vec3::new(0.02, 0.0, 0.0)),
+    ] {
+        let rests = lies_on(block, beside);
+        assert!(matches!(rests.end, End::AtRest { .. }), "{block:?} {beside:?}: {:?}", rests.end);
+        assert_eq!((rests.time, rests.impacts.len()), (0.0, 0), "{block:?} {beside:?}");
+    }
+    for beside in [Vec3::X * 0.101, Vec3::new(0.11, -0.09, 0.0)] {
+        let tips = lies_on(wide, beside);
+        assert!(matches!(tips.end, End::AtRest { .. }), "{beside:?}: {:?}", tips.end);
+        assert!(tips.state.centre.z < -0.9, "{beside:?}: it lies at {:?}", tips.state.centre);
+    }
+}
+
+#[test]
+fn a_body_that_starts_in_a_block_is_refused() {
+    let (world, start) = on_three_tips(0.1, 0.2);
+    let sunk = State { centre: start.centre - Vec3::Z * 0.002, ..start };
+    let error = run(&world, &sunk, &Options::default(), &mut ()).unwrap_err();
+    let MotionError::Overlaps { obstacle, depth } = error else { panic!("{error}") };
+    assert!(obstacle == 0 && (depth - 0.002).abs() < 1e-12, "{error}");
 }

@@ -91,26 +91,34 @@ impl Obstacle {
         if let Some(corner) = corners.iter().position(|r| !r.is_finite()) {
             return Err(PlateProblem::NotFinite { corner });
         }
-        let normal = super::hull::newell(corners).unit().ok_or(PlateProblem::Line)?;
-        let size = corners.iter().map(|r| (*r - corners[0]).norm()).fold(0.0, f64::max);
-        let around = |k: usize| (corners[k], corners[(k + 1) % count], corners[(k + 2) % count]);
+        let (normal, size) = outline(corners)?;
+        let around = |k: usize| (corners[k], corners[(k + 1) % count]);
+        let face = Facet::of(normal, corners);
         for (corner, r) in corners.iter().enumerate() {
             let distance = normal.dot(*r - corners[0]).abs();
             if distance > FLAT_PLATE * size {
                 return Err(PlateProblem::NotFlat { corner, distance });
             }
-        }
-        for k in 0..count {
-            let (a, b, c) = around(k);
-            if normal.dot((b - a).cross(c - b)) <= FLAT_PLATE * size * size {
-                return Err(PlateProblem::NotConvex { corner: (k + 1) % count });
+            let (next, after) = (corners[(corner + 1) % count] - *r, corners[(corner + 2) % count] - *r);
+            let turns =
+                normal.dot(next.cross(after - next)) > FLAT_PLATE * next.norm() * (after - next).norm();
+            if !turns || face.limits.iter().any(|limit| limit.margin(*r) < -FLAT_PLATE * size) {
+                return Err(PlateProblem::NotConvex { corner: (corner + 1) % count });
             }
+        }
+        // What winds around itself twice is within its own sides too.
+        let again = |k: &usize| corners[..*k].iter().any(|r| (*r - corners[*k]).norm() <= FLAT_PLATE * size);
+        if let Some(corner) = (1..count).find(again) {
+            return Err(PlateProblem::NotConvex { corner });
         }
         let back: Vec<Vec3> = corners.iter().rev().copied().collect();
         let edge = |k: usize| Edge::of_plate(around(k).0, around(k).1, normal);
+        let edges: Vec<Edge> = (0..count).filter_map(edge).collect();
+        let spokes = (0..count).map(|k| vec![edges[k].along, -edges[(k + count - 1) % count].along]);
         Ok(Self(Surface {
-            faces: vec![Facet::of(normal, corners), Facet::of(-normal, &back)],
-            edges: (0..count).filter_map(edge).collect(),
+            spokes: spokes.collect(),
+            faces: vec![face, Facet::of(-normal, &back)],
+            edges,
             corners: corners.to_vec(),
         }))
     }
@@ -132,4 +140,24 @@ impl Obstacle {
         }
         Self(Surface::of(shape, &points))
     }
+}
+
+/// The unit normal of a polygon, and its size \[m\].
+fn outline(corners: &[Vec3]) -> Result<(Vec3, f64), PlateProblem> {
+    let from = |r: &Vec3| *r - corners[0];
+    let size = corners.iter().flat_map(|r| from(r).to_array()).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let shape: Vec<Vec3> = corners.iter().map(|r| from(r) / size).collect();
+    let farthest = shape.iter().max_by(|a, b| a.norm().total_cmp(&b.norm())).and_then(|r| r.unit());
+    let along = farthest.filter(|along| along.is_finite()).ok_or(PlateProblem::Line)?;
+    let (distance, corner) = shape.iter().enumerate().fold((0.0, 0), |(most, corner), (k, r)| {
+        let distance = r.cross(along).norm();
+        if distance > most { (distance, k) } else { (most, corner) }
+    });
+    if distance <= FLAT_PLATE {
+        return Err(PlateProblem::Line);
+    }
+    let area = super::hull::newell(&shape);
+    let normal =
+        area.unit().filter(|_| area.norm() > FLAT_PLATE).ok_or(PlateProblem::NotConvex { corner })?;
+    Ok((normal, size))
 }

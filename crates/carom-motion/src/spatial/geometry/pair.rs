@@ -19,6 +19,8 @@ pub(in crate::spatial) enum Pair {
         face: Facet,
         /// The corner.
         corner: Vec3,
+        /// Unit vectors from it along the obstacle's edges.
+        spokes: Vec<Vec3>,
     },
     /// An edge of the body across an edge of an obstacle.
     Cross {
@@ -87,7 +89,7 @@ impl Crossed {
 impl Pair {
     pub(in crate::spatial) fn meeting(&self, pose: Pose) -> Meeting {
         match self {
-            Self::Corner { face, corner } => {
+            Self::Corner { face, corner, .. } => {
                 let gap = face.plane.height(pose.attitude.undo(*corner - pose.centre));
                 Meeting { place: *corner, normal: -pose.attitude.apply(face.plane.normal()), gap }
             }
@@ -163,7 +165,7 @@ impl Pair {
         let Most { spin, turning, acceleration } = *most;
         let bent = turning + spin * spin;
         let (middle, there, lengths) = match self {
-            Self::Corner { face, corner } => (face.plane.onto(Vec3::ZERO), *corner, 0.0),
+            Self::Corner { face, corner, .. } => (face.plane.onto(Vec3::ZERO), *corner, 0.0),
             Self::Cross { own, other } => (own.middle(), other.middle(), own.length + other.length),
         };
         let arm = middle.norm() + lengths;
@@ -186,7 +188,7 @@ impl Pair {
     /// How far the place is inside one of its limits \[m\].
     pub(in crate::spatial) fn margin(&self, limit: usize, pose: Pose) -> f64 {
         match self {
-            Self::Corner { face, corner } => {
+            Self::Corner { face, corner, .. } => {
                 face.limits[limit].margin(pose.attitude.undo(*corner - pose.centre))
             }
             Self::Cross { own, other } => {
@@ -264,14 +266,21 @@ impl Pair {
         }
     }
 
-    /// Edges touch in a direction that is outside of both: between the faces of each. A face touches a corner from wherever it is.
+    /// Edges touch in a direction that is outside of both: between the faces of each. A face touches a corner where the obstacle is behind it.
     pub(in crate::spatial) fn faces(&self, pose: Pose) -> bool {
         !self.is_parallel(pose) && self.turned_away(pose) <= 0.0
     }
 
-    /// How far edges are turned from directions in which they touch, times the sine between them: at most 2 |ω| takes it back.
+    /// How far it is turned from directions in which it touches, of edges times the sine between them: at most 2 |ω| takes it back.
     pub(in crate::spatial) fn turned_away(&self, pose: Pose) -> f64 {
-        let Self::Cross { own, other } = self else { return 0.0 };
+        let (own, other) = match self {
+            Self::Cross { own, other } => (own, other),
+            Self::Corner { face, spokes, .. } => {
+                let normal = -pose.attitude.apply(face.plane.normal());
+                let most = spokes.iter().map(|spoke| spoke.dot(normal)).fold(f64::NEG_INFINITY, f64::max);
+                return most - BETWEEN_FACES;
+            }
+        };
         let Crossed { across, sine, .. } = Crossed::of(own, other, pose);
         let inner = pose.attitude.undo(-across);
         let sides = other.sides.map(|side| side.dot(across)).into_iter();

@@ -1,5 +1,7 @@
 //! Some of a body's supports.
 
+use std::fmt;
+
 /// A set of support points, by their numbers.
 ///
 /// # Example
@@ -10,7 +12,7 @@
 /// let touching = held.union(striking);
 /// assert_eq!((touching.len(), touching.difference(held)), (4, striking));
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct Supports([u64; WORDS]);
 
 /// Words of a set.
@@ -154,6 +156,12 @@ impl Supports {
             })
         };
         self.0.into_iter().enumerate().flat_map(of)
+    }
+}
+
+impl fmt::Debug for Supports {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_set().entries(self.iter()).finish()
     }
 }
 

@@ -3,6 +3,8 @@
 use super::hull::sides;
 use super::plane::Plane;
 use super::polyhedron::Polyhedron;
+use super::state::Pose;
+use crate::tolerance::PARALLEL_EDGES;
 use carom_num::Vec3;
 
 /// A half-space: `inward · r + offset` is positive in it.
@@ -46,12 +48,15 @@ pub(in crate::spatial) struct Surface {
     pub(in crate::spatial) faces: Vec<Facet>,
     pub(in crate::spatial) edges: Vec<Edge>,
     pub(in crate::spatial) corners: Vec<Vec3>,
+    /// Unit vectors from each corner along its edges.
+    pub(in crate::spatial) spokes: Vec<Vec<Vec3>>,
 }
 
 impl Facet {
     /// The face with these corners, counter-clockwise as seen from outside.
     pub(in crate::spatial) fn of(normal: Vec3, corners: &[Vec3]) -> Self {
-        let offset = corners.first().map_or(0.0, |corner| normal.dot(*corner));
+        // Of corners that are not quite on one plane the outermost.
+        let offset = corners.iter().map(|corner| normal.dot(*corner)).fold(f64::NEG_INFINITY, f64::max);
         let ends = (0..corners.len()).map(|k| (corners[k], corners[(k + 1) % corners.len()]));
         let limit = |(from, to): (Vec3, Vec3)| {
             let inward = normal.cross((to - from).unit()?);
@@ -83,6 +88,31 @@ impl Edge {
 }
 
 impl Surface {
+    /// How far this one, which moves with a body, is from another one at least; negative where they overlap, by how far the body has to move to be beside it.
+    ///
+    /// # Source
+    /// The separating axes of convex polyhedra: normals of faces, and perpendiculars of two edges. S. Gottschalk, M. C. Lin and D. Manocha, SIGGRAPH (1996) 171.
+    pub(in crate::spatial) fn separation(&self, other: &Self, pose: Pose) -> f64 {
+        let turned = |v: Vec3| pose.attitude.apply(v);
+        let own: Vec<Vec3> = self.corners.iter().map(|r| pose.centre + turned(*r)).collect();
+        let faces = self.faces.iter().map(|face| turned(face.plane.normal()));
+        let across = |edge: &Edge| {
+            let along = turned(edge.along);
+            other.edges.iter().map(move |other| along.cross(other.along))
+        };
+        let across = self.edges.iter().flat_map(across).filter(|axis| axis.norm() > PARALLEL_EDGES);
+        let axes = faces.chain(other.faces.iter().map(|face| face.plane.normal())).chain(across);
+        let gap = |axis: Vec3| {
+            let range = |corners: &[Vec3]| {
+                let along = corners.iter().map(|r| axis.dot(*r));
+                along.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+            };
+            let ([a, b], [c, d]) = (range(&own), range(&other.corners));
+            ((c - b).max(a - d)) / axis.norm()
+        };
+        axes.map(gap).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// That of a polyhedron whose vertices are these of some points.
     pub(in crate::spatial) fn of(shape: &Polyhedron, points: &[Vec3]) -> Self {
         let place = |vertex: usize| points[shape.sources()[vertex]];
@@ -90,17 +120,22 @@ impl Surface {
             let corners: Vec<Vec3> = face.corners.iter().map(|i| place(*i)).collect();
             Facet::of(face.normal, &corners)
         });
-        let mut edges = vec![];
+        let (mut edges, mut spokes) = (vec![], vec![vec![]; shape.vertices().len()]);
         for (k, face) in shape.faces().iter().enumerate() {
             for (a, b) in sides(&face.corners) {
                 let other = shape.faces()[k + 1..]
                     .iter()
                     .find(|other| sides(&other.corners).any(|(from, to)| (from, to) == (b, a)));
                 let normals = other.map(|other| [face.normal, other.normal]);
-                edges.extend(normals.and_then(|normals| Edge::between(place(a), place(b), normals)));
+                let edge = normals.and_then(|normals| Edge::between(place(a), place(b), normals));
+                if let Some(edge) = edge {
+                    spokes[a].push(edge.along);
+                    spokes[b].push(-edge.along);
+                    edges.push(edge);
+                }
             }
         }
         let corners = (0..shape.vertices().len()).map(place).collect();
-        Self { faces: faces.collect(), edges, corners }
+        Self { faces: faces.collect(), edges, corners, spokes }
     }
 }

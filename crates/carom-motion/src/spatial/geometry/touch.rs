@@ -6,7 +6,7 @@ use super::state::{Pose, State};
 use super::supports::Supports;
 use super::surface::Limit;
 use super::world::{Support, World};
-use crate::tolerance::{BEYOND_END, RESTING_SLIP};
+use crate::tolerance::{BETWEEN_FACES, BEYOND_END, ONE_PLACE, RESTING_SLIP};
 use carom_num::Vec3;
 
 impl World {
@@ -95,6 +95,13 @@ impl World {
         v - normal * normal.dot(v)
     }
 
+    /// The first obstacle with ends that the body is in, and how deep; where it touches one it is not deeper than `spare`.
+    pub(in crate::spatial) fn overlap(&self, pose: Pose, spare: f64) -> Option<(usize, f64)> {
+        let with_ends = self.obstacles.iter().enumerate().filter(|(_, other)| !other.corners.is_empty());
+        let deep = with_ends.map(|(i, other)| (i, -self.surface.separation(other, pose)));
+        deep.into_iter().find(|(_, depth)| *depth > spare)
+    }
+
     /// The supports of a plane; beyond the planes each pair is by itself.
     pub(in crate::spatial) fn of_plane(&self, plane: usize) -> Supports {
         let (points, planes) = (self.body().supports().len(), self.planes().len());
@@ -159,29 +166,56 @@ impl World {
                 0.0
             }
         };
+        let turns = |away: f64| if away > 0.0 { away / (2.0 * most.spin) } else { 0.0 };
         if let Some(pair) = self.pair(number) {
             let ([_, bend], scale) = (pair.bend(state, most, time), pair.scale(state.pose()));
             let of = |limit: usize| for_long(pair.beyond(limit, state, spare), bend, scale);
-            let turns = pair.turned_away(state.pose()).max(0.0) / (2.0 * most.spin);
-            let turns = if turns.is_nan() { 0.0 } else { turns };
-            return (0..pair.limits()).map(of).fold(turns, f64::max);
+            return (0..pair.limits()).map(of).fold(turns(pair.turned_away(state.pose())), f64::max);
         }
         let limits = &self.limits[self.plane_of(number)];
         if limits.is_empty() {
             return 0.0;
         }
-        let Support { feature, plane } = self.support(number);
+        let feature = self.support(number).feature;
         let (place, velocity) = (state.place(feature.point), state.velocity_of(feature.point));
         let bend = most.acceleration + feature.point.norm() * (most.turning + most.spin * most.spin);
         let of =
             |limit: &Limit| for_long([-limit.margin(place) - spare, -limit.inward.dot(velocity)], bend, 1.0);
-        let behind = [-plane.height(state.centre), -plane.normal().dot(state.velocity)];
-        limits.iter().map(of).fold(for_long(behind, most.acceleration, 1.0), f64::max)
+        limits.iter().map(of).fold(turns(self.turned_away(number, state)), f64::max)
+    }
+
+    /// How far a point of the body is turned from where it touches a face: its edges are in front of the face then. A thin plate has another face behind. At most |ω| takes it back.
+    fn turned_away(&self, number: usize, state: &State) -> f64 {
+        let features = self.body().features().len();
+        let up = state.attitude.undo(self.support(number).plane.normal());
+        let spokes = self.spokes[number % features].iter().map(|spoke| -spoke.dot(up));
+        spokes.fold(f64::NEG_INFINITY, f64::max) - BETWEEN_FACES
     }
 
     /// Places that move slower than this along a face or an edge stay where they are [m/s].
     fn still(&self, state: &State) -> f64 {
         RESTING_SLIP * self.scales().speed.max(state.velocity.norm())
+    }
+
+    /// Of supports that touch at one place with one normal the first.
+    pub(in crate::spatial) fn distinct(&self, supports: Supports, pose: Pose) -> Supports {
+        if self.pairs.is_empty() {
+            return supports;
+        }
+        let near = ONE_PLACE * self.body().reach();
+        let mut seen: Vec<(Vec3, Vec3)> = vec![];
+        let mut out = Supports::NONE;
+        for support in supports.iter() {
+            let (place, normal) = (self.arm(support, pose), self.normal(support, pose));
+            let same = |(other, up): &(Vec3, Vec3)| {
+                (place - *other).norm() <= near && (normal - *up).norm() <= ONE_PLACE
+            };
+            if !seen.iter().any(same) {
+                seen.push((place, normal));
+                out = out.with(support);
+            }
+        }
+        out
     }
 
     /// True where a support may touch, were its height zero: its place is on the face or the edges, and does not leave them at their very end.
@@ -199,10 +233,9 @@ impl World {
             let margin = self.margin(number, limit, state.pose());
             margin > 0.5 * beyond || margin >= -beyond && rate(limit) >= -still
         };
-        // What is convex and touches a face lies in front of it: a thin plate has another face behind.
         let faces = match self.pair(number) {
             Some(pair) => pair.faces(state.pose()),
-            None => self.limits(number) == 0 || self.support(number).plane.height(state.centre) > 0.0,
+            None => self.limits(number) == 0 || self.turned_away(number, state) <= 0.0,
         };
         faces && (0..self.limits(number)).all(stays)
     }

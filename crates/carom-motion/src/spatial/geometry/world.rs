@@ -38,6 +38,10 @@ pub struct World {
     /// Within what each of the planes is a face.
     pub(super) limits: Vec<Vec<Limit>>,
     pub(super) pairs: Vec<Pair>,
+    /// The body's faces and edges, where obstacles have some, unit vectors from each of its points along its edges, and the obstacles.
+    pub(super) surface: Surface,
+    pub(super) spokes: Vec<Vec<Vec3>>,
+    pub(super) obstacles: Vec<Surface>,
 }
 
 /// What a body cannot be among.
@@ -151,6 +155,9 @@ impl World {
             planes: vec![Plane::FLOOR],
             limits: vec![vec![]],
             pairs: vec![],
+            surface: Surface::default(),
+            spokes: vec![],
+            obstacles: vec![],
         }
     }
 
@@ -196,15 +203,16 @@ impl World {
             return Err(ObstaclesProblem::None);
         }
         let obstacles: Vec<Surface> = obstacles.into_iter().map(|obstacle| obstacle.into().0).collect();
-        let pairs = pairs_of(&self.body, &obstacles)?;
-        let faces = obstacles.into_iter().flat_map(|obstacle| obstacle.faces);
-        let (planes, limits): (Vec<_>, Vec<_>) = faces.map(|face| (face.plane, face.limits)).unzip();
+        let (surface, spokes) = surface_of(&self.body, &obstacles)?;
+        let pairs = pairs_of(&surface, &obstacles);
+        let faces = obstacles.iter().flat_map(|obstacle| &obstacle.faces);
+        let (planes, limits): (Vec<_>, Vec<_>) = faces.map(|face| (face.plane, face.limits.clone())).unzip();
         let count = self.body.supports().len() * planes.len() + pairs.len();
         if count > Supports::MOST {
             return Err(ObstaclesProblem::Count { pairs: count });
         }
         friction.check(count).map_err(ObstaclesProblem::Friction)?;
-        Ok(Self { planes, limits, pairs, ..self })
+        Ok(Self { planes, limits, pairs, surface, spokes, obstacles, ..self })
     }
 
     /// The planes that the body may touch: those of faces too.
@@ -269,10 +277,10 @@ impl World {
     }
 }
 
-/// What the body's edges and faces may touch of obstacles that have ends.
-fn pairs_of(body: &Body, obstacles: &[Surface]) -> Result<Vec<Pair>, ObstaclesProblem> {
+/// The body's faces and edges, and unit vectors from each of its points along its edges; none where no obstacle has ends.
+fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Vec3>>), ObstaclesProblem> {
     if obstacles.iter().all(|obstacle| obstacle.corners.is_empty()) {
-        return Ok(vec![]);
+        return Ok((Surface::default(), vec![]));
     }
     if body.is_round() {
         return Err(ObstaclesProblem::Round);
@@ -281,16 +289,29 @@ fn pairs_of(body: &Body, obstacles: &[Surface]) -> Result<Vec<Pair>, ObstaclesPr
     let shape = Polyhedron::of_points(points, flatness).map_err(|problems| {
         ObstaclesProblem::Shape(problems.into_iter().next().unwrap_or(HullProblem::Unclear { flatness }))
     })?;
-    let own = Surface::of(&shape, points);
+    let surface = Surface::of(&shape, points);
+    let mut spokes = vec![vec![]; points.len()];
+    for (source, own) in shape.sources().iter().zip(&surface.spokes) {
+        spokes[*source].clone_from(own);
+    }
+    Ok((surface, spokes))
+}
+
+/// What they may touch of obstacles.
+fn pairs_of(own: &Surface, obstacles: &[Surface]) -> Vec<Pair> {
     let mut pairs = vec![];
     for obstacle in obstacles {
         for face in &own.faces {
-            let of = |corner: &Vec3| Pair::Corner { face: face.clone(), corner: *corner };
-            pairs.extend(obstacle.corners.iter().map(of));
+            let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| Pair::Corner {
+                face: face.clone(),
+                corner: *corner,
+                spokes: spokes.clone(),
+            };
+            pairs.extend(obstacle.corners.iter().zip(&obstacle.spokes).map(of));
         }
         for edge in &own.edges {
             pairs.extend(obstacle.edges.iter().map(|other| Pair::Cross { own: *edge, other: *other }));
         }
     }
-    Ok(pairs)
+    pairs
 }

@@ -168,7 +168,16 @@ impl<M: Motion> Gliding<'_, '_, M> {
             if aside > 0.0 || ends && height.value < -behind {
                 let rate = height.rate.copysign(height.rate * height.value);
                 let other = Height { value: height.value.abs(), rate, second: 0.0 };
-                x += (other.clear(&bend).max(aside) / length).max(LEAST_MARCH);
+                let clear = other.clear(&bend);
+                let next = (x + (clear.max(aside) / length).max(LEAST_MARCH)).min(until);
+                if height.value > 0.0 && next > x + clear / length {
+                    // While it was waited for what is beside it may come through just where it is there.
+                    let found = self.comes_through(step, support, [x, next], behind);
+                    if found.is_some() {
+                        return found;
+                    }
+                }
+                x = next;
                 continue;
             }
             // Until here the bound on the acceleration holds.
@@ -191,9 +200,32 @@ impl<M: Motion> Gliding<'_, '_, M> {
                     continue;
                 }
             }
-            x += (height.clear(&bend) / length).max(LEAST_MARCH);
+            let clear = height.clear(&bend) / length;
+            let next = (x + clear.max(LEAST_MARCH)).min(until);
+            if ends && height.value > 0.0 && clear < LEAST_MARCH {
+                let found = self.comes_through(step, support, [x, next], behind);
+                if found.is_some() {
+                    return found;
+                }
+            }
+            x = next;
         }
         None
+    }
+
+    /// The touch of what is above its face at the first of two places of a step, behind it at the second, and within its ends where it comes through.
+    fn comes_through(
+        &mut self,
+        step: &Step<M::Y>,
+        support: usize,
+        places: [f64; 2],
+        behind: f64,
+    ) -> Option<Found<Event>> {
+        if self.look(step, support, places[1]).value >= -behind {
+            return None;
+        }
+        let at = root_between(places, step.length, &mut |x| self.look(step, support, x));
+        self.is_within(step, support, at).then_some(Found::at(at, Event::Touches(support)))
     }
 
     /// The motion at a fraction of a step.

@@ -49,7 +49,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         let count = |i: usize| {
             let (noted, gap) = (walker.heights[i], motion.gap(world, i, &at).value);
             // What has just touched is at no height, however little the projection of others has moved it.
-            if noted == 0.0 || (noted - gap).abs() <= near { noted - gap } else { 0.0 }
+            if gap.is_finite() && noted == 0.0 || (noted - gap).abs() <= near { noted - gap } else { 0.0 }
         };
         let counted = (world.of_faces()..world.count()).map(count).collect();
         let (body, held) = (walker.world.body(), walker.mode.held(walker.world));

@@ -293,8 +293,7 @@ impl Motion for Sliding<'_> {
         let Support { feature, plane } = world.support(support);
         let (times, more) = BETWEEN;
         let unit = self.scales.time;
-        let turning = times * self.most[0] + more / (unit * unit);
-        let spin = times * self.most[1] + more / unit;
+        let Most { spin, turning, .. } = self.most(at, time);
         let own = if plane.normal() == self.frame[2] {
             0.0
         } else {

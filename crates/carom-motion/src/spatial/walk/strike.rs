@@ -55,6 +55,9 @@ impl Walker<'_> {
         let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
         let mut resting = Supports::NONE;
         let (mut strikes, mut slides) = (false, None);
+        if let Some((obstacle, depth)) = self.world.overlap(self.state.pose(), TOUCHES_AT_START * length) {
+            return Err(MotionError::Overlaps { obstacle, depth });
+        }
         self.measure_heights();
         for support in 0..count {
             let (height, velocity) = (self.heights[support], self.velocity_of(support));
@@ -85,12 +88,12 @@ impl Walker<'_> {
             _ if strikes => self.meet(),
             Some((support, speed)) => Err(MotionError::Slides { support, speed }),
             None if self.lies_flat(resting) => Ok(Some(End::Flat { touching: resting })),
-            None => self.hold(resting, None),
+            None => self.hold(self.world.distinct(resting, self.state.pose()), None),
         }
     }
 
     /// The supports that touch now: those that are held, and those that come down at once.
-    pub(in crate::spatial) fn touching(&self) -> Supports {
+    fn near(&self) -> Supports {
         let at_once = COMES_DOWN_AT_ONCE * self.lasted;
         let low = |i: usize| match self.world.pair(i) {
             None => SUPPORT_TOUCHES * self.scales.length,
@@ -106,13 +109,24 @@ impl Walker<'_> {
         held.iter().filter(|i| !ends(i) || self.world.is_within(*i, &self.state)).collect()
     }
 
+    /// The same, once at each place.
+    pub(in crate::spatial) fn touching(&self) -> Supports {
+        self.world.distinct(self.near(), self.state.pose())
+    }
+
     /// What comes of supports that touch: an impact, if one of them comes down.
     pub(in crate::spatial) fn meet(&mut self) -> Result<Option<End>, MotionError> {
         let touching = self.touching();
         if self.lies_flat(touching) {
             return Ok(Some(End::Flat { touching }));
         }
-        let free = touching.difference(self.mode.held(self.world));
+        let held = self.mode.held(self.world);
+        let free = touching.difference(held);
+        if free.is_empty() {
+            // What has come down is where something else is held.
+            self.departing = self.near().difference(held);
+            return Ok(None);
+        }
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let comes_down = |i: &usize| self.rise_of(*i) < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();

@@ -36,7 +36,7 @@ fn pairs() -> [Pair; 2] {
     let corners = [(-0.3, -0.2), (0.3, -0.2), (0.3, 0.2), (-0.3, 0.2)];
     let corners: Vec<Vec3> = corners.iter().rev().map(|(x, y)| Vec3::new(*x, *y, -0.1)).collect();
     let face = Facet::of(-Vec3::Z, &corners);
-    [Pair::Cross { own, other }, Pair::Corner { face, corner: Vec3::new(0.05, -0.03, -0.02) }]
+    [Pair::Cross { own, other }, Pair::Corner { face, corner: Vec3::new(0.05, -0.03, -0.02), spokes: vec![] }]
 }
 
 fn moving() -> Moving {
