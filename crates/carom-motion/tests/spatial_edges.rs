@@ -270,3 +270,61 @@ fn a_body_that_starts_in_a_block_is_refused() {
     let MotionError::Overlaps { obstacle, depth } = error else { panic!("{error}") };
     assert!(obstacle == 0 && (depth - 0.002).abs() < 1e-12, "{error}");
 }
+
+/// A level plate from one x to another, so wide to both sides.
+fn level([from, to]: [f64; 2], wide: f64) -> Obstacle {
+    let corner = |x: f64, y: f64| Vec3::new(x, y, 0.0);
+    Obstacle::plate(&[corner(from, -wide), corner(to, -wide), corner(to, wide), corner(from, wide)]).unwrap()
+}
+
+/// A cube of 20 cm that slides along x on plates, for a time.
+fn slid(plates: Vec<Obstacle>, from: Vec3, speed: f64, time: f64) -> Run {
+    let body =
+        Body::new(1.0, Mat3::diagonal(0.0067, 0.0067, 0.0067), corners(Vec3::new(0.1, 0.1, 0.1))).unwrap();
+    let world = around(body, Vec3::Z * -G, 0.3, plates);
+    let (centre, velocity) = (from + Vec3::Z * 0.1, Vec3::X * speed);
+    ran(&world, &State { centre, attitude: Rotation::NONE, velocity, spin: Vec3::ZERO }, time).0
+}
+
+#[test]
+fn a_box_slides_over_the_seam_of_two_plates() {
+    let out = slid(vec![level([-1.0, 0.0], 0.5), level([0.0, 1.0], 0.5)], Vec3::X * -0.3, 1.5, 2.0);
+    assert!(
+        matches!(out.end, End::AtRest { .. }) && out.impacts.is_empty(),
+        "{:?} {:?}",
+        out.end,
+        out.impacts
+    );
+    let way = 1.5 * 1.5 / (2.0 * 0.3 * G);
+    assert!((out.state.centre.x + 0.3 - way).abs() < 1e-10, "{} {way}", out.state.centre.x + 0.3);
+}
+
+/// What of a plate's end is under a box makes no difference to how it tips over that: its edges, or the plate's corners under its face.
+#[test]
+fn a_box_tips_over_an_end_that_is_narrower_than_it_as_over_a_wide_one() {
+    let over =
+        |wide: f64, beside: f64| slid(vec![level([-1.0, 1.0], wide)], Vec3::new(0.5, beside, 0.0), 3.0, 0.4);
+    let wide = over(0.7, 0.0);
+    assert!(wide.impacts.is_empty() && wide.state.centre.z < -0.1, "{:?}", wide.state);
+    for (plate, beside) in [(0.05, 0.0), (0.07, 0.01), (0.15, 0.1)] {
+        let out = over(plate, beside);
+        assert!(out.impacts.is_empty(), "{plate}: {:?}", out.impacts);
+        let off = (out.state.centre - wide.state.centre - Vec3::Y * beside).norm();
+        let spin = (out.state.spin - wide.state.spin).norm();
+        assert!(off < 1e-10 && spin < 1e-9, "{plate} {beside}: {off:e} {spin:e}");
+    }
+}
+
+/// Its mass hangs under the plate on which its corners stand.
+#[test]
+fn a_weight_that_hangs_through_a_plate_stands_on_it() {
+    let points = corners(Vec3::new(0.1, 0.1, 0.02)).into_iter().map(|r| r + Vec3::Z * 0.3).collect();
+    let body = Body::new(1.0, Mat3::diagonal(0.004, 0.004, 0.004), points).unwrap();
+    let floor = Plane::new(Vec3::Z, -2.0).unwrap();
+    let world = around(body, Vec3::Z * -G, 0.3, vec![level([-0.3, 0.3], 0.3), floor.into()]);
+    let start =
+        State { centre: Vec3::Z * -0.2, attitude: Rotation::NONE, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+    let out = run(&world, &start, &Options::default(), &mut ()).unwrap();
+    assert!(matches!(out.end, End::AtRest { .. }), "{:?}", out.end);
+    assert!((out.state.centre.z + 0.28).abs() < 1e-12, "{}", out.state.centre.z);
+}
