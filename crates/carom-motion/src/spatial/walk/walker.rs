@@ -66,7 +66,7 @@ pub(super) struct Walker<'w> {
 ///
 /// # Guarantees
 /// - No touch is missed: the acceleration of each height is bounded by the energy, and steps forward are never longer than this bound allows. While supports slide the bound is one and
-///   a half times what five places of a step show.
+///   a half times what five places of a step show. Of edges that cross it is the gap times the sine between them that is bounded.
 /// - No loss of a normal force is missed, as far as five nodes of a step, and of its halves where they do not suffice, show it.
 /// - Where the law leaves several ways open, [`Options::choice`] chooses, and every impact says how many there were.
 ///
