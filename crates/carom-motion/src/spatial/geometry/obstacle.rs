@@ -10,12 +10,26 @@ use thiserror::Error;
 /// Something convex that does not move: a plane without ends, a plate, or a solid.
 ///
 /// # Example
-/// A plate of 1 m by 2 m, level, a metre up.
+/// A cube of 1 m lies on a level plate and hangs over its end, by 40 % of its length and by 60 %: it rests there, or tips over and falls on the floor, 3 m down.
 /// ```
-/// use carom_motion::spatial::Obstacle;
-/// use carom_num::Vec3;
-/// let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec3::new(x, y, 1.0));
-/// assert!(Obstacle::plate(&corners).is_ok());
+/// use carom_motion::spatial::{Body, End, Friction, Obstacle, Options, Plane, State, World, run};
+/// use carom_num::{Mat3, Rotation, Vec3};
+/// let ends = |over: f64| {
+///     let half = |i: u32, bit: u32| if i >> bit & 1 == 1 { 0.5 } else { -0.5 };
+///     let corners = (0..8).map(|i| Vec3::new(half(i, 0), half(i, 1), half(i, 2))).collect();
+///     let cube = Body::new(6.0, Mat3::IDENTITY, corners).unwrap();
+///     let outline = [(-9.0, -1.0), (0.0, -1.0), (0.0, 1.0), (-9.0, 1.0)];
+///     let plate = Obstacle::plate(&outline.map(|(x, y)| Vec3::new(x, y, 0.0))).unwrap();
+///     let floor = Plane::new(Vec3::Z, -3.0).unwrap();
+///     let world = World::new(cube, Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.5)).unwrap();
+///     let world = world.among(vec![plate, floor.into()]).unwrap();
+///     let centre = Vec3::new(over - 0.5, 0.0, 0.5);
+///     let start = State { centre, attitude: Rotation::NONE, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+///     run(&world, &start, &Options::default(), &mut ()).unwrap()
+/// };
+/// let (rests, tips) = (ends(0.4), ends(0.6));
+/// assert!(matches!(rests.end, End::AtRest { .. }) && rests.state.centre.z == 0.5);
+/// assert!(matches!(tips.end, End::AtRest { .. }) && (tips.state.centre.z + 2.5).abs() < 1e-9);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obstacle(pub(in crate::spatial) Surface);
