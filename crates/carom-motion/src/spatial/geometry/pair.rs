@@ -268,24 +268,30 @@ impl Pair {
 
     /// Edges touch in a direction that is outside of both: between the faces of each. A face touches a corner where the obstacle is behind it.
     pub(in crate::spatial) fn faces(&self, pose: Pose) -> bool {
-        !self.is_parallel(pose) && self.turned_away(pose) <= 0.0
+        !self.is_parallel(pose) && self.turned_away(pose)[0] <= 0.0
     }
 
-    /// How far it is turned from directions in which it touches, of edges times the sine between them: at most 2 |ω| takes it back.
-    pub(in crate::spatial) fn turned_away(&self, pose: Pose) -> f64 {
-        let (own, other) = match self {
-            Self::Cross { own, other } => (own, other),
-            Self::Corner { face, spokes, .. } => {
-                let normal = -pose.attitude.apply(face.plane.normal());
-                let most = spokes.iter().map(|spoke| spoke.dot(normal)).fold(f64::NEG_INFINITY, f64::max);
-                return most - BETWEEN_FACES;
-            }
+    /// How far it is turned from directions in which it touches, of edges times the sine between them; and how far at least it has to turn, of which no more than 2 |ω| is taken back.
+    ///
+    /// The perpendicular of two edges changes its side where it is across the middle of the body's faces: what the obstacle's faces say of it holds until then.
+    pub(in crate::spatial) fn turned_away(&self, pose: Pose) -> [f64; 2] {
+        let most = |sides: &[Vec3], normal: Vec3| {
+            sides.iter().map(|side| side.dot(normal)).fold(f64::NEG_INFINITY, f64::max)
         };
-        let Crossed { across, sine, .. } = Crossed::of(own, other, pose);
-        let inner = pose.attitude.undo(-across);
-        let sides = other.sides.map(|side| side.dot(across)).into_iter();
-        let most = sides.chain(own.sides.map(|side| side.dot(inner))).fold(f64::NEG_INFINITY, f64::max);
-        most - BETWEEN_FACES * sine
+        match self {
+            Self::Cross { own, other } => {
+                let Crossed { across, sine, .. } = Crossed::of(own, other, pose);
+                let inner = pose.attitude.undo(-across);
+                let [body, obstacle] = [most(&own.sides, inner), most(&other.sides, across)];
+                let flips = own.outward.unit().map_or(0.0, |outward| outward.dot(inner).abs());
+                let spare = BETWEEN_FACES * sine;
+                [body.max(obstacle) - spare, body.max(obstacle.min(flips)) - spare]
+            }
+            Self::Corner { face, spokes, .. } => {
+                let away = most(spokes, -pose.attitude.apply(face.plane.normal())) - BETWEEN_FACES;
+                [away, away]
+            }
+        }
     }
 }
 

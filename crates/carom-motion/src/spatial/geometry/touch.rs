@@ -170,7 +170,7 @@ impl World {
         if let Some(pair) = self.pair(number) {
             let ([_, bend], scale) = (pair.bend(state, most, time), pair.scale(state.pose()));
             let of = |limit: usize| for_long(pair.beyond(limit, state, spare), bend, scale);
-            return (0..pair.limits()).map(of).fold(turns(pair.turned_away(state.pose())), f64::max);
+            return (0..pair.limits()).map(of).fold(turns(pair.turned_away(state.pose())[1]), f64::max);
         }
         let limits = &self.limits[self.plane_of(number)];
         if limits.is_empty() {

@@ -110,3 +110,34 @@ fn nothing_bends_more_than_its_bound() {
         assert!(largest_end < ends && largest_end > 0.01 * ends, "{pair:?}: {largest_end} {ends}");
     }
 }
+
+/// A knife's edge of a body that turns about above the edge of a thin plate: the perpendicular changes its side many times.
+#[test]
+fn what_is_turned_away_stays_so_for_as_long_as_is_said() {
+    let along = Vec3::X;
+    let own = Edge {
+        from: Vec3::ZERO,
+        along,
+        length: 1.0,
+        sides: [Vec3::new(0.0, 0.3, 1.0).unit().unwrap(), Vec3::new(0.0, -0.2, 1.0).unit().unwrap()],
+        outward: -Vec3::Z,
+    };
+    let other = Edge::of_plate(Vec3::ZERO, Vec3::Y, Vec3::Z).unwrap();
+    let pair = Pair::Cross { own, other };
+    let spin = Vec3::new(2.0, -1.0, 0.6);
+    let pose = |time: f64| Pose { centre: Vec3::ZERO, attitude: Rotation::by(spin * time) };
+    let (step, count) = (1e-3, 6000_u32);
+    let mut touches = 0;
+    for k in 0..count {
+        let time = step * f64::from(k);
+        let [away, least] = pair.turned_away(pose(time));
+        assert!(least <= away, "{time}: {least} {away}");
+        touches += u32::from(away <= 0.0);
+        let mut ahead = time + 0.5 * step;
+        while ahead < time + least / (2.0 * spin.norm()) {
+            assert!(pair.turned_away(pose(ahead))[0] > 0.0, "{time}: {least} is too long at {ahead}");
+            ahead += step;
+        }
+    }
+    assert!(touches > 100 && touches < count - 100, "{touches}");
+}
