@@ -45,6 +45,7 @@ pub(in crate::spatial) struct Meeting {
 /// How that changes.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::spatial) struct Passing {
+    pub(in crate::spatial) at: Meeting,
     /// Velocity of the place.
     pub(in crate::spatial) place: Vec3,
     /// Rate of the normal.
@@ -55,23 +56,27 @@ pub(in crate::spatial) struct Passing {
 
 /// Two edges at an instant, world axes.
 struct Crossed {
-    /// The body's direction, the common perpendicular as long as the sine between them, and that sine.
+    /// The body's direction, the common perpendicular as long as the sine between them, on which side of it the body is, and that sine.
     along: Vec3,
-    across: Vec3,
+    straight: Vec3,
+    side: f64,
     sine: f64,
     /// From the start of the obstacle's edge to that of the body's.
     between: Vec3,
 }
 
 impl Crossed {
-    /// The perpendicular points into the body.
     fn of(own: &Edge, other: &Edge, pose: Pose) -> Self {
         let along = pose.attitude.apply(own.along);
-        let across = along.cross(other.along);
-        let outward = pose.attitude.apply(own.outward);
-        let across = if across.dot(outward) > 0.0 { -across } else { across };
+        let straight = along.cross(other.along);
+        let side = if straight.dot(pose.attitude.apply(own.outward)) > 0.0 { -1.0 } else { 1.0 };
         let between = pose.centre + pose.attitude.apply(own.from) - other.from;
-        Self { along, across, sine: across.norm(), between }
+        Self { along, straight, side, sine: straight.norm(), between }
+    }
+
+    /// The perpendicular that points into the body.
+    fn across(&self) -> Vec3 {
+        self.straight * self.side
     }
 
     fn is_parallel(&self) -> bool {
@@ -80,9 +85,24 @@ impl Crossed {
 
     /// How far along the two edges they are nearest to each other.
     fn places(&self, other: &Edge) -> [f64; 2] {
-        let straight = self.along.cross(other.along);
         let square = self.sine * self.sine;
-        [other.along, self.along].map(|edge| -self.between.cross(edge).dot(straight) / square)
+        [other.along, self.along].map(|edge| -self.between.cross(edge).dot(self.straight) / square)
+    }
+}
+
+impl Meeting {
+    /// Two tangents and the normal, world axes.
+    pub(in crate::spatial) fn axes(&self) -> [Vec3; 3] {
+        let [first, second] = self.normal.tangents();
+        [first, second, self.normal]
+    }
+}
+
+impl Passing {
+    /// What the material where a pair touches accelerates by, body axes, besides what the accelerations of the mass centre and of the spin do, and the turn of the normal.
+    pub(in crate::spatial) fn bent(&self, state: &State) -> Vec3 {
+        let moves = state.attitude.undo(self.place - state.velocity);
+        state.spin.cross(moves) + state.attitude.undo(self.at.normal) * self.normal.dot(self.slip)
     }
 }
 
@@ -99,7 +119,7 @@ impl Pair {
                     let place = pose.centre + pose.attitude.apply(own.from);
                     return Meeting { place, normal: Vec3::Z, gap: f64::INFINITY };
                 }
-                let normal = crossed.across / crossed.sine;
+                let normal = crossed.across() / crossed.sine;
                 let [along, _] = crossed.places(other);
                 let place = other.from + crossed.between + crossed.along * along;
                 Meeting { place, normal, gap: normal.dot(crossed.between) }
@@ -109,35 +129,33 @@ impl Pair {
 
     pub(in crate::spatial) fn passing(&self, state: &State) -> Passing {
         let pose = state.pose();
-        let Meeting { place, normal, gap } = self.meeting(pose);
+        let at = self.meeting(pose);
+        let Meeting { place, normal, gap } = at;
         let spin = pose.attitude.apply(state.spin);
         let slip = state.velocity + spin.cross(place - pose.centre);
         match self {
-            Self::Corner { .. } => Passing { place: Vec3::ZERO, normal: spin.cross(normal), slip },
+            Self::Corner { .. } => Passing { at, place: Vec3::ZERO, normal: spin.cross(normal), slip },
             Self::Cross { own, other } => {
                 let crossed = Crossed::of(own, other, pose);
                 if crossed.is_parallel() {
-                    return Passing { place: slip, normal: Vec3::ZERO, slip };
+                    return Passing { at, place: slip, normal: Vec3::ZERO, slip };
                 }
-                let straight = crossed.along.cross(other.along);
-                let side = straight.dot(crossed.across).signum();
-                let turns = spin.cross(crossed.along).cross(other.along) * side;
+                let turns = spin.cross(crossed.along).cross(other.along) * crossed.side;
                 let turns = (turns - normal * normal.dot(turns)) / crossed.sine;
                 let square = crossed.sine * crossed.sine;
-                let runs = (turns * gap - slip).cross(other.along).dot(straight) / square;
-                Passing { place: slip + crossed.along * runs, normal: turns, slip }
+                let runs = (turns * gap - slip).cross(other.along).dot(crossed.straight) / square;
+                Passing { at, place: slip + crossed.along * runs, normal: turns, slip }
             }
         }
     }
 
     /// The gap, and how it changes.
     pub(in crate::spatial) fn height(&self, moving: &Moving) -> Height {
-        let State { attitude, spin, velocity, centre } = moving.state;
-        let Meeting { place, normal, gap } = self.meeting(moving.state.pose());
+        let State { attitude, centre, .. } = moving.state;
         let passing = self.passing(&moving.state);
-        let (spin, turning) = (attitude.apply(spin), attitude.apply(moving.turning));
-        let bent = moving.acceleration + turning.cross(place - centre) + spin.cross(passing.place - velocity);
-        let second = normal.dot(bent) + passing.normal.dot(passing.slip);
+        let Meeting { place, normal, gap } = passing.at;
+        let bent = moving.turning.cross(attitude.undo(place - centre)) + passing.bent(&moving.state);
+        let second = normal.dot(moving.acceleration + attitude.apply(bent));
         Height { value: gap, rate: normal.dot(passing.slip), second }
     }
 
@@ -151,11 +169,12 @@ impl Pair {
                 [gap + added, normal.dot(state.velocity + spin.cross(place - pose.centre))]
             }
             Self::Cross { own, other } => {
-                let Crossed { along, across, between, sine } = Crossed::of(own, other, pose);
-                let side = along.cross(other.along).dot(across).signum();
+                let crossed = Crossed::of(own, other, pose);
+                let Crossed { along, side, between, sine, .. } = crossed;
+                let (across, added) = (crossed.across(), added * sine);
                 let velocity = state.velocity + spin.cross(pose.attitude.apply(own.from));
                 let turns = spin.cross(along).cross(other.along) * side;
-                [across.dot(between) + added * sine, turns.dot(between) + across.dot(velocity)]
+                [across.dot(between) + added, turns.dot(between) + across.dot(velocity)]
             }
         }
     }
@@ -243,10 +262,10 @@ impl Pair {
         match self {
             Self::Corner { .. } => [-self.margin(limit, pose) - spare, -self.margin_rate(limit, state)],
             Self::Cross { own, other } => {
-                let Crossed { along, sine, between, .. } = Crossed::of(own, other, pose);
+                let Crossed { along, straight, sine, between, .. } = Crossed::of(own, other, pose);
                 let moves = state.velocity + spin.cross(pose.attitude.apply(own.from));
                 let (turns, edge) = (spin.cross(along), other.along);
-                let (straight, bent) = (along.cross(edge), turns.cross(edge));
+                let bent = turns.cross(edge);
                 let (square, widens) = (sine * sine, 2.0 * straight.dot(bent));
                 let (run, rate, length) = if limit < 2 {
                     let run = between.cross(edge);
@@ -280,7 +299,8 @@ impl Pair {
         };
         match self {
             Self::Cross { own, other } => {
-                let Crossed { across, sine, .. } = Crossed::of(own, other, pose);
+                let crossed = Crossed::of(own, other, pose);
+                let (across, sine) = (crossed.across(), crossed.sine);
                 let inner = pose.attitude.undo(-across);
                 let [body, obstacle] = [most(&own.sides, inner), most(&other.sides, across)];
                 let flips = own.outward.unit().map_or(0.0, |outward| outward.dot(inner).abs());

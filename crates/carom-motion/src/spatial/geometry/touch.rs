@@ -1,6 +1,6 @@
 //! Where supports touch: the place, the normal, and how they move.
 
-use super::pair::{Meeting, Pair, Passing};
+use super::pair::Pair;
 use super::posture::{Height, Most};
 use super::state::{Pose, State};
 use super::supports::Supports;
@@ -62,8 +62,7 @@ impl World {
     pub(in crate::spatial) fn bent(&self, number: usize, state: &State) -> Vec3 {
         let (attitude, spin) = (state.attitude, state.spin);
         if let Some(pair) = self.pair(number) {
-            let normal = pair.meeting(state.pose()).normal;
-            return pair.passing(state).bent(state, normal);
+            return pair.passing(state).bent(state);
         }
         let Support { feature, plane } = self.support(number);
         if feature.is_sharp() {
@@ -98,8 +97,8 @@ impl World {
     /// The first obstacle with ends that the body is in, and how deep; where it touches one it is not deeper than `spare`.
     pub(in crate::spatial) fn overlap(&self, pose: Pose, spare: f64) -> Option<(usize, f64)> {
         let with_ends = self.obstacles.iter().enumerate().filter(|(_, other)| !other.corners.is_empty());
-        let deep = with_ends.map(|(i, other)| (i, -self.surface.separation(other, pose)));
-        deep.into_iter().find(|(_, depth)| *depth > spare)
+        let mut deep = with_ends.map(|(i, other)| (i, -self.surface.separation(other, pose)));
+        deep.find(|(_, depth)| *depth > spare)
     }
 
     /// The supports of a plane; beyond the planes each pair is by itself.
@@ -240,21 +239,5 @@ impl World {
             None => self.limits(number) == 0 || self.turned_away(number, state) <= 0.0,
         };
         faces && (0..self.limits(number)).all(stays)
-    }
-}
-
-impl Meeting {
-    /// Two tangents and the normal, world axes.
-    pub(in crate::spatial) fn axes(&self) -> [Vec3; 3] {
-        let [first, second] = self.normal.tangents();
-        [first, second, self.normal]
-    }
-}
-
-impl Passing {
-    /// What the material where a pair touches accelerates by, body axes, besides what the accelerations of the mass centre and of the spin do, and the turn of the normal.
-    pub(in crate::spatial) fn bent(&self, state: &State, normal: Vec3) -> Vec3 {
-        let moves = state.attitude.undo(self.place - state.velocity);
-        state.spin.cross(moves) + state.attitude.undo(normal) * self.normal.dot(self.slip)
     }
 }

@@ -80,14 +80,6 @@ impl Stretch {
         at.moving(self.attitude, self.place)
     }
 
-    /// The height of any support.
-    pub(in crate::spatial) fn gap(&self, world: &World, support: usize, at: &Posture) -> Height {
-        match world.pair(support) {
-            Some(pair) => pair.height(&self.moving(at)),
-            None => self.height(world, support, at),
-        }
-    }
-
     /// The height of a point of the body over the plane of a face.
     pub(in crate::spatial) fn height(&self, world: &World, support: usize, at: &Posture) -> Height {
         at.height(

@@ -139,7 +139,7 @@ impl Sliding<'_> {
                 4..=6 if self.apart => (FORCE_DIFFERENCE / self.scales().time).min(others / reach),
                 4..=6 => FORCE_DIFFERENCE / self.scales().time,
                 YAW => others / reach,
-                SLIP..=12 => own.min(others),
+                d if (SLIP..WORK).contains(&d) => own.min(others),
                 WAY..SLIP => FORCE_DIFFERENCE * reach,
                 _ => FORCE_DIFFERENCE,
             })

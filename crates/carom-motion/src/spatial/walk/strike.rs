@@ -1,10 +1,9 @@
 //! The start of a run, and its impacts.
 
 use super::closing::Closed;
-use super::motion::Motion;
+use super::motion::{Motion, Standing};
 use super::walker::{Walker, without_way};
 use crate::MotionError;
-use crate::spatial::geometry::posture::Height;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::state::measured;
 use crate::spatial::geometry::supports::Supports;
@@ -180,16 +179,19 @@ impl Walker<'_> {
 
     /// Those that the motion draws down.
     fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
-        let sinks = |height: Height| height.second <= 0.0;
         if matches!(self.mode, Mode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
-            let now = sliding.posture(&first, 0.0);
-            return Ok(grazing.iter().filter(|i| sinks(sliding.gap(self.world, *i, &now))).collect());
+            return Ok(self.drawn_down(&sliding, &first, grazing));
         }
         let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
-        let now = stretch.posture(&stretch.first(), 0.0);
-        Ok(grazing.iter().filter(|i| sinks(stretch.gap(self.world, *i, &now))).collect())
+        let first = stretch.first();
+        Ok(self.drawn_down(&Standing::of(self.world, stretch), &first, grazing))
+    }
+
+    fn drawn_down<M: Motion>(&self, motion: &M, first: &M::Y, grazing: Supports) -> Supports {
+        let now = motion.posture(first, 0.0);
+        grazing.iter().filter(|i| motion.gap(self.world, *i, &now).second <= 0.0).collect()
     }
 
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.

@@ -112,7 +112,8 @@ impl Sliding<'_> {
         [slip, foot, free]: [Vec3; 3],
     ) -> ((Bearing, f64), Vec3) {
         let (pose, attitude, spin) = (state.pose(), state.attitude, state.spin);
-        let (meeting, passing) = (pair.meeting(pose), pair.passing(state));
+        let passing = pair.passing(state);
+        let meeting = passing.at;
         let axes = meeting.axes().map(|axis| attitude.undo(axis));
         let arm = attitude.undo(meeting.place - pose.centre);
         let bearing = Bearing { axes, ..Bearing::default() };
@@ -126,7 +127,7 @@ impl Sliding<'_> {
             friction: c.friction,
             sticks: c.sticks,
             toward: if c.sticks { Vec3::ZERO } else { own.unit().unwrap_or(lead) },
-            drive: gravity + free.cross(arm) + passing.bent(state, meeting.normal),
+            drive: gravity + free.cross(arm) + passing.bent(state),
             ..bearing
         };
         ((bearing, own.norm()), drift)
