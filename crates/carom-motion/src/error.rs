@@ -106,7 +106,7 @@ pub enum MotionError {
         /// How many may.
         most: usize,
     },
-    /// More supports touch the plane at once than are enumerated.
+    /// More supports touch at once than are enumerated.
     #[error("at t = {time} s {count} supports touch: at most {most} are enumerated")]
     TooManyTouching {
         /// When [s].

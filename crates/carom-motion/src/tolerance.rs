@@ -176,6 +176,10 @@ pub(crate) const BESIDE: f64 = 1e-10;
 pub(crate) const PARALLEL_EDGES: f64 = 1e-9;
 /// A place is on a face or an edge up to this beyond its end, in units of the body's reach.
 pub(crate) const BEYOND_END: f64 = 1e-12;
+/// A plane without ends carries nothing whose normal points upwards by no more than this, as a sine.
+pub(crate) const CARRIES: f64 = 1e-12;
+/// An obstacle farther from the mass centre than this, in units of the reach, is far: what the body has besides points is not measured against it.
+pub(crate) const FAR: f64 = 1.1;
 /// Contacts no farther apart than this, in units of the reach, whose normals differ by no more, are one.
 pub(crate) const ONE_PLACE: f64 = 1e-9;
 /// An edge may touch another in a direction this far, as a sine, from those between its faces.

@@ -109,7 +109,9 @@ fn thrown_bodies_lose_energy_stay_above_the_plane_and_rest_on_stable_faces() {
             End::NoConsistentOutcome(_) => "no consistent outcome",
             End::Balanced { .. } => "balanced",
             End::BudgetSpent(_) => "still moves",
-            End::Overturned | End::Flat { .. } | End::Several(_) | End::Stopped => "unexpected",
+            End::Overturned | End::FliesAway | End::Flat { .. } | End::Several(_) | End::Stopped => {
+                "unexpected"
+            }
         };
         *ends.entry(name).or_default() += 1;
     }

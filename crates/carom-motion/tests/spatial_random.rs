@@ -24,9 +24,12 @@ fn name(end: &End) -> &'static str {
         End::Balanced { .. } => "balanced",
         End::NoConsistentOutcome(_) => "no consistent outcome",
         End::BudgetSpent(Budget::Time) => "still moves",
-        End::Overturned | End::Flat { .. } | End::Several(_) | End::BudgetSpent(_) | End::Stopped => {
-            "unexpected"
-        }
+        End::Overturned
+        | End::FliesAway
+        | End::Flat { .. }
+        | End::Several(_)
+        | End::BudgetSpent(_)
+        | End::Stopped => "unexpected",
     }
 }
 

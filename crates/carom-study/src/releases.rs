@@ -139,7 +139,7 @@ impl Release {
             Some(End::Balanced { .. }) => Settled::Balanced,
             Some(End::Overturned) => Settled::Overturned,
             Some(End::NoConsistentOutcome(_) | End::Several(_)) => Settled::NoConsistentOutcome,
-            Some(End::BudgetSpent(_) | End::Stopped | End::Flat { .. }) => Settled::GoesOn,
+            Some(End::BudgetSpent(_) | End::Stopped | End::Flat { .. } | End::FliesAway) => Settled::GoesOn,
         };
         Released { settled, first: watcher.first }
     }

@@ -96,6 +96,7 @@ crate::words! {
         StrikesReached = "strikes reached",
         NoConsistentOutcome = "no consistent outcome",
         SeveralWaysOn = "several ways on",
+        FliesAway = "flies away",
         BudgetSpent = "budget spent",
     }
 }
@@ -120,6 +121,7 @@ pub fn end_name(end: Option<End>) -> EndName {
         Some(End::Balanced { .. }) => EndName::Balanced,
         Some(End::Flat { .. }) => EndName::Flat,
         Some(End::Overturned) => EndName::Overturned,
+        Some(End::FliesAway) => EndName::FliesAway,
         Some(End::NoConsistentOutcome(_)) => EndName::NoConsistentOutcome,
         Some(End::Several(_)) => EndName::SeveralWaysOn,
         Some(End::BudgetSpent(_)) => EndName::BudgetSpent,

@@ -30,6 +30,13 @@ pub fn rocking_cube() -> (World, State) {
     (World::of_checked(cube, Vec3::Z * -10.0), start)
 }
 
+/// A cube of 1 m and 1 kg that may stand on any face.
+pub fn block() -> Body {
+    let corners = cube_corners().into_iter().map(|corner| corner - Vec3::new(0.5, 0.5, 0.5)).collect();
+    let moment = 1.0 / 6.0;
+    Body::of_principal(1.0, [moment; 3], corners)
+}
+
 /// The corners of a cube of 1 m with one corner at the origin and the others at x, y and z of 0 or 1 m.
 pub fn cube_corners() -> Vec<Vec3> {
     let square = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];

@@ -16,7 +16,7 @@ pub fn thrown_in_space(
     let pose = match run.end {
         End::AtRest { held } => face_of(held).map_or(Pose::NoFace, Pose::Face),
         End::Balanced { .. } | End::Overturned => Pose::Balanced,
-        End::Flat { .. } => Pose::NoFace,
+        End::Flat { .. } | End::FliesAway => Pose::NoFace,
         End::NoConsistentOutcome(_) => Pose::NoConsistentOutcome,
         End::Several(_) => Pose::Several,
         End::BudgetSpent(Budget::Time) => Pose::StillMoves(Spent::Time),

@@ -1,7 +1,6 @@
 //! A rigid body that stands on points of its own, sharp or rounded.
 
 use super::feature::Feature;
-use super::supports::Supports;
 use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE, UNIT_LENGTH};
 use carom_impact::ImpactError;
 use carom_impact::spatial::RigidBody;
@@ -48,7 +47,7 @@ pub enum BodyProblem {
     #[error("{0}")]
     Mass(ImpactError),
     /// There are none, or more than a set of them holds.
-    #[error("{count} supports: allowed are 1 to {}", Supports::MOST)]
+    #[error("{count} supports: allowed are 1 to {}", Body::MOST)]
     Count {
         /// How many there are.
         count: usize,
@@ -91,6 +90,15 @@ pub enum BodyProblem {
 }
 
 impl Body {
+    /// How many supports it may have.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::Body;
+    /// assert_eq!(Body::MOST, 1024);
+    /// ```
+    pub const MOST: usize = 1024;
+
     /// A body of a mass \[kg\], with its inertia about the mass centre in body axes [kg m²] and its supports from the mass centre in body axes \[m\].
     ///
     /// # Errors
@@ -132,7 +140,7 @@ impl Body {
         let mut problems = vec![];
         let still = RigidBody { mass, inertia, velocity: Vec3::ZERO, spin: Vec3::ZERO };
         problems.extend(still.check().err().map(BodyProblem::Mass));
-        if features.is_empty() || features.len() > Supports::MOST {
+        if features.is_empty() || features.len() > Self::MOST {
             problems.push(BodyProblem::Count { count: features.len() });
         }
         problems.extend(

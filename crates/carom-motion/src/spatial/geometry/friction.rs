@@ -9,14 +9,16 @@ use thiserror::Error;
 /// ```
 /// use carom_motion::spatial::Friction;
 /// let dry = Friction::new(0.3);
-/// assert_eq!((dry.coefficient(7), dry.restitution()), (0.3, 0.0));
+/// assert_eq!((dry.coefficient(7), dry.restitution(7)), (0.3, 0.0));
 /// let bouncing = Friction::of_supports(vec![0.1, 0.5]).with_restitution(0.4);
-/// assert_eq!((bouncing.coefficient(1), bouncing.restitution()), (0.5, 0.4));
+/// assert_eq!((bouncing.coefficient(1), bouncing.restitution(1)), (0.5, 0.4));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Friction {
+    /// Of all supports, or of each.
     coefficients: Vec<f64>,
-    restitution: f64,
+    /// Of all supports, or of each.
+    restitutions: Vec<f64>,
     law: Law,
 }
 
@@ -80,7 +82,7 @@ impl Friction {
     /// assert_eq!((friction.coefficient(0), friction.coefficient(2)), (0.8, 0.2));
     /// ```
     pub fn of_supports(coefficients: Vec<f64>) -> Self {
-        Self { coefficients, restitution: 0.0, law: Law::Poisson }
+        Self { coefficients, restitutions: vec![0.0], law: Law::Poisson }
     }
 
     /// The same with a coefficient of restitution, in [0, 1].
@@ -89,11 +91,11 @@ impl Friction {
     /// ```
     /// use carom_motion::spatial::Friction;
     /// let bouncing = Friction::new(0.3).with_restitution(0.5);
-    /// assert_eq!((bouncing.coefficient(0), bouncing.restitution()), (0.3, 0.5));
+    /// assert_eq!((bouncing.coefficient(0), bouncing.restitution(0)), (0.3, 0.5));
     /// ```
     #[must_use]
     pub fn with_restitution(self, restitution: f64) -> Self {
-        Self { restitution, ..self }
+        Self { restitutions: vec![restitution], ..self }
     }
 
     /// The same with a law of restitution; Poisson's is used where none is named.
@@ -120,20 +122,24 @@ impl Friction {
     /// assert_eq!([0, 1, 2].map(|support| friction.coefficient(support)), [0.8, 0.2, 0.0]);
     /// ```
     pub fn coefficient(&self, support: usize) -> f64 {
-        let own = if self.coefficients.len() == 1 { 0 } else { support };
-        self.coefficients.get(own).copied().unwrap_or(0.0)
+        of_support(&self.coefficients, support)
     }
 
-    /// Coefficient of restitution.
+    /// Coefficient of restitution of a support.
     ///
     /// # Example
     /// Impacts are plastic where nothing else is said.
     /// ```
     /// use carom_motion::spatial::Friction;
-    /// assert_eq!(Friction::new(0.3).restitution(), 0.0);
+    /// assert_eq!(Friction::new(0.3).restitution(0), 0.0);
     /// ```
-    pub fn restitution(&self) -> f64 {
-        self.restitution
+    pub fn restitution(&self, support: usize) -> f64 {
+        of_support(&self.restitutions, support)
+    }
+
+    /// With numbers of each support.
+    pub(in crate::spatial) fn of_all(coefficients: Vec<f64>, restitutions: Vec<f64>, law: Law) -> Self {
+        Self { coefficients, restitutions, law }
     }
 
     /// Law of restitution.
@@ -157,7 +163,15 @@ impl Friction {
         if let Some(&value) = self.coefficients.iter().find(|mu| !(mu.is_finite() && **mu >= 0.0)) {
             return Err(FrictionProblem::Coefficient { value });
         }
-        let value = self.restitution;
-        if (0.0..=1.0).contains(&value) { Ok(()) } else { Err(FrictionProblem::Restitution { value }) }
+        match self.restitutions.iter().find(|value| !(0.0..=1.0).contains(*value)) {
+            Some(&value) => Err(FrictionProblem::Restitution { value }),
+            None => Ok(()),
+        }
     }
+}
+
+/// The number of a support among those of each, or the one of all.
+fn of_support(numbers: &[f64], support: usize) -> f64 {
+    let own = if numbers.len() == 1 { 0 } else { support };
+    numbers.get(own).copied().unwrap_or(0.0)
 }

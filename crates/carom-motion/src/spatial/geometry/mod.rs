@@ -4,6 +4,7 @@ pub(in crate::spatial) mod body;
 pub(in crate::spatial) mod feature;
 pub(in crate::spatial) mod friction;
 pub(in crate::spatial) mod hull;
+pub(in crate::spatial) mod named;
 pub(in crate::spatial) mod obstacle;
 pub(in crate::spatial) mod pair;
 pub(in crate::spatial) mod plane;

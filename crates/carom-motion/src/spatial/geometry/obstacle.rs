@@ -32,7 +32,17 @@ use thiserror::Error;
 /// assert!(matches!(tips.end, End::AtRest { .. }) && (tips.state.centre.z + 2.5).abs() < 1e-9);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Obstacle(pub(in crate::spatial) Surface);
+pub struct Obstacle {
+    pub(in crate::spatial) surface: Surface,
+    pub(in crate::spatial) rough: Rough,
+}
+
+/// Friction and restitution that an obstacle has of its own.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::spatial) struct Rough {
+    pub(in crate::spatial) friction: Option<f64>,
+    pub(in crate::spatial) restitution: Option<f64>,
+}
 
 /// Corners that no plate has.
 ///
@@ -79,7 +89,7 @@ pub enum PlateProblem {
 impl From<Plane> for Obstacle {
     fn from(plane: Plane) -> Self {
         let face = Facet { plane, limits: vec![] };
-        Self(Surface { faces: vec![face], ..Surface::default() })
+        Self::of(Surface { faces: vec![face], ..Surface::default() })
     }
 }
 
@@ -129,7 +139,7 @@ impl Obstacle {
         let edge = |k: usize| Edge::of_plate(around(k).0, around(k).1, normal);
         let edges: Vec<Edge> = (0..count).filter_map(edge).collect();
         let spokes = (0..count).map(|k| vec![edges[k].along, -edges[(k + count - 1) % count].along]);
-        Ok(Self(Surface {
+        Ok(Self::of(Surface {
             spokes: spokes.collect(),
             faces: vec![face, Facet::of(-normal, &back)],
             edges,
@@ -152,7 +162,47 @@ impl Obstacle {
         for (source, vertex) in shape.sources().iter().zip(shape.vertices()) {
             points[*source] = *vertex;
         }
-        Self(Surface::of(shape, &points))
+        Self::of(Surface::of(shape, &points))
+    }
+
+    /// The same with a friction coefficient of its own, in place of the world's. [`World::among`](super::world::World::among) refuses one below 0.
+    ///
+    /// # Example
+    /// A body on two level planes side by side would slide from the one to the other: here on a plane as smooth as ice, between walls of rubber.
+    /// ```
+    /// use carom_motion::spatial::{Friction, Obstacle, Plane, World, examples};
+    /// use carom_num::Vec3;
+    /// let wall = |x: f64| Obstacle::from(Plane::new(Vec3::X * x, -2.0).unwrap()).with_friction(0.9);
+    /// let world = World::new(examples::block(), Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.01)).unwrap();
+    /// let among = world.among(vec![Plane::FLOOR.into(), wall(1.0), wall(-1.0)]).unwrap();
+    /// // The cube's eight corners on the floor, then on each of the walls.
+    /// assert_eq!([0, 8, 16].map(|i| among.friction().unwrap().coefficient(i)), [0.01, 0.9, 0.9]);
+    /// ```
+    #[must_use]
+    pub fn with_friction(mut self, friction: f64) -> Self {
+        self.rough.friction = Some(friction);
+        self
+    }
+
+    /// The same with a coefficient of restitution of its own, in place of the world's. [`World::among`](super::world::World::among) refuses one outside [0, 1].
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::{Friction, Obstacle, Plane, World, examples};
+    /// use carom_num::Vec3;
+    /// let floor = Obstacle::from(Plane::FLOOR).with_restitution(0.5);
+    /// let world = World::new(examples::block(), Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.3)).unwrap();
+    /// assert_eq!(world.among(vec![floor]).unwrap().friction().unwrap().restitution(0), 0.5);
+    /// ```
+    #[must_use]
+    pub fn with_restitution(mut self, restitution: f64) -> Self {
+        self.rough.restitution = Some(restitution);
+        self
+    }
+
+    /// One with the world's friction.
+    fn of(surface: Surface) -> Self {
+        Self { surface, rough: Rough::default() }
     }
 }
 

@@ -12,24 +12,33 @@ use std::fmt;
 /// let touching = held.union(striking);
 /// assert_eq!((touching.len(), touching.difference(held)), (4, striking));
 /// ```
-#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
-pub struct Supports([u64; WORDS]);
-
-/// Words of a set.
-const WORDS: usize = 16;
-/// Supports in a word.
-const IN_WORD: usize = u64::BITS as usize;
+#[derive(Clone, Copy)]
+pub struct Supports {
+    /// How many there are; one more than it holds where some had no room.
+    count: u16,
+    /// Their numbers, the smallest first.
+    numbers: [u16; Supports::TOGETHER],
+}
 
 impl Supports {
-    /// How many supports a body may have.
+    /// How many supports a body may have, of all obstacles together.
     ///
     /// # Example
     /// ```
     /// use carom_motion::spatial::Supports;
-    /// let all: Supports = (0..Supports::MOST).collect();
-    /// assert_eq!(all.len(), 1024);
+    /// let last = Supports::one(Supports::MOST - 1);
+    /// assert!(last.contains(65_535) && last.len() == 1);
     /// ```
-    pub const MOST: usize = WORDS * IN_WORD;
+    pub const MOST: usize = 1 << u16::BITS;
+    /// How many of them one set holds: so many may touch at once.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::Supports;
+    /// let all: Supports = (0..Supports::TOGETHER).collect();
+    /// assert_eq!((all.len(), all.is_overfull()), (255, false));
+    /// ```
+    pub const TOGETHER: usize = 255;
     /// None of them.
     ///
     /// # Example
@@ -37,7 +46,7 @@ impl Supports {
     /// use carom_motion::spatial::Supports;
     /// assert!(Supports::NONE.is_empty() && Supports::NONE == Supports::default());
     /// ```
-    pub const NONE: Self = Self([0; WORDS]);
+    pub const NONE: Self = Self { count: 0, numbers: [0; Self::TOGETHER] };
 
     /// One support alone.
     ///
@@ -47,11 +56,11 @@ impl Supports {
     /// assert_eq!(Supports::one(5).iter().collect::<Vec<_>>(), [5]);
     /// ```
     #[must_use]
-    pub const fn one(support: usize) -> Self {
+    pub fn one(support: usize) -> Self {
         Self::NONE.with(support)
     }
 
-    /// These and one more.
+    /// These and one more. A number that no support has, and one for which there is no room, makes the set overfull.
     ///
     /// # Example
     /// A support that is in the set already changes nothing.
@@ -61,9 +70,32 @@ impl Supports {
     /// assert_eq!((pair.len(), pair.with(2)), (2, pair));
     /// ```
     #[must_use]
-    pub const fn with(mut self, support: usize) -> Self {
-        self.0[support / IN_WORD] |= 1 << (support % IN_WORD);
+    pub fn with(mut self, support: usize) -> Self {
+        let count = self.len();
+        let number = u16::try_from(support);
+        let place = number.map_or(Ok(count), |number| self.numbers[..count].binary_search(&number));
+        match (place, number) {
+            (Err(place), Ok(number)) if count < Self::TOGETHER => {
+                self.numbers.copy_within(place..count, place + 1);
+                self.numbers[place] = number;
+                self.count += 1;
+            }
+            (Ok(_), Ok(_)) => {}
+            _ => self.count = OVERFULL,
+        }
         self
+    }
+
+    /// True where some had no room: more than [`Supports::TOGETHER`] were put in.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::Supports;
+    /// let all: Supports = (0..300).collect();
+    /// assert!(all.is_overfull() && all.union(Supports::one(7)).is_overfull());
+    /// ```
+    pub const fn is_overfull(self) -> bool {
+        self.count == OVERFULL
     }
 
     /// These and those.
@@ -76,7 +108,11 @@ impl Supports {
     /// ```
     #[must_use]
     pub fn union(self, others: Self) -> Self {
-        Self(std::array::from_fn(|word| self.0[word] | others.0[word]))
+        let mut all = others.iter().fold(self, Self::with);
+        if others.is_overfull() {
+            all.count = OVERFULL;
+        }
+        all
     }
 
     /// These but for those.
@@ -89,7 +125,7 @@ impl Supports {
     /// ```
     #[must_use]
     pub fn difference(self, others: Self) -> Self {
-        Self(std::array::from_fn(|word| self.0[word] & !others.0[word]))
+        self.those(|support| !others.contains(support))
     }
 
     /// Those that are among these and those.
@@ -102,7 +138,28 @@ impl Supports {
     /// ```
     #[must_use]
     pub fn common(self, others: Self) -> Self {
-        Self(std::array::from_fn(|word| self.0[word] & others.0[word]))
+        self.those(|support| others.contains(support))
+    }
+
+    /// Those of which this is true.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::Supports;
+    /// let all: Supports = (0..6).collect();
+    /// assert_eq!(all.those(|support| support > 3), Supports::one(4).with(5));
+    /// ```
+    #[must_use]
+    pub fn those(self, are: impl Fn(usize) -> bool) -> Self {
+        let mut some = Self::NONE;
+        for support in self.numbers[..self.len()].iter().filter(|support| are(usize::from(**support))) {
+            some.numbers[usize::from(some.count)] = *support;
+            some.count += 1;
+        }
+        if self.is_overfull() {
+            some.count = OVERFULL;
+        }
+        some
     }
 
     /// True where the support is one of them.
@@ -113,8 +170,8 @@ impl Supports {
     /// let pair = Supports::one(0).with(3);
     /// assert!(pair.contains(3) && !pair.contains(2));
     /// ```
-    pub const fn contains(self, support: usize) -> bool {
-        self.0[support / IN_WORD] >> (support % IN_WORD) & 1 == 1
+    pub fn contains(self, support: usize) -> bool {
+        u16::try_from(support).is_ok_and(|number| self.numbers[..self.len()].binary_search(&number).is_ok())
     }
 
     /// How many they are.
@@ -125,7 +182,7 @@ impl Supports {
     /// assert_eq!(Supports::one(0).with(3).with(127).len(), 3);
     /// ```
     pub fn len(self) -> usize {
-        self.0.iter().map(|word| word.count_ones() as usize).sum()
+        usize::from(self.count).min(Self::TOGETHER)
     }
 
     /// True where there is none.
@@ -136,7 +193,7 @@ impl Supports {
     /// assert!(Supports::one(4).difference(Supports::one(4)).is_empty());
     /// ```
     pub fn is_empty(self) -> bool {
-        self == Self::NONE
+        self.count == 0
     }
 
     /// Their numbers, the smallest first.
@@ -148,14 +205,30 @@ impl Supports {
     /// assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 7]);
     /// ```
     pub fn iter(self) -> impl Iterator<Item = usize> {
-        let of = |(word, mut left): (usize, u64)| {
-            std::iter::from_fn(move || {
-                let next = (left != 0).then(|| left.trailing_zeros() as usize);
-                left &= left.wrapping_sub(1);
-                next.map(|bit| word * IN_WORD + bit)
-            })
-        };
-        self.0.into_iter().enumerate().flat_map(of)
+        self.numbers.into_iter().take(self.len()).map(usize::from)
+    }
+}
+
+/// The count of a set in which some had no room.
+const OVERFULL: u16 = 256;
+
+impl Default for Supports {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+impl PartialEq for Supports {
+    fn eq(&self, other: &Self) -> bool {
+        self.count == other.count && self.numbers[..self.len()] == other.numbers[..other.len()]
+    }
+}
+
+impl Eq for Supports {}
+
+impl std::hash::Hash for Supports {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.numbers[..self.len()].hash(state);
     }
 }
 
@@ -177,9 +250,17 @@ mod tests {
 
     #[test]
     fn a_set_holds_what_was_put_in() {
-        let set: Supports = [3, 0, 127, 900].into_iter().collect();
-        assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 127, 900]);
+        let set: Supports = [3, 0, 127, 60_000].into_iter().collect();
+        assert_eq!(set.iter().collect::<Vec<_>>(), [0, 3, 127, 60_000]);
         assert_eq!((set.len(), set.contains(3), set.contains(4)), (4, true, false));
-        assert_eq!(set.difference(Supports::one(3)), Supports::NONE.with(127).with(0).with(900));
+        assert_eq!(set.difference(Supports::one(3)), Supports::NONE.with(127).with(0).with(60_000));
+    }
+
+    #[test]
+    fn a_set_says_that_it_is_overfull() {
+        let full: Supports = (0..Supports::TOGETHER).collect();
+        assert!(!full.is_overfull() && full.with(900).is_overfull() && Supports::one(70_000).is_overfull());
+        assert_eq!(full.with(900).len(), Supports::TOGETHER);
+        assert!(full.with(900).difference(Supports::one(0)).is_overfull());
     }
 }

@@ -1,13 +1,15 @@
 //! Where supports touch: the place, the normal, and how they move.
 
 use super::pair::Pair;
+use super::plane::Plane;
 use super::posture::{Height, Most};
-use super::state::{Pose, State};
+use super::state::{Pose, State, measured};
 use super::supports::Supports;
-use super::surface::Limit;
-use super::world::{Support, World};
-use crate::tolerance::{BETWEEN_FACES, BEYOND_END, ONE_PLACE, RESTING_SLIP};
+use super::surface::{Edge, Limit, Surface};
+use super::world::{Share, Support, World};
+use crate::tolerance::{BETWEEN_FACES, BEYOND_END, CARRIES, FAR, ONE_PLACE, RESTING_SLIP};
 use carom_num::Vec3;
+use std::ops::Range;
 
 impl World {
     /// How many supports there are.
@@ -47,6 +49,19 @@ impl World {
     /// ```
     pub fn touches_at(&self, support: usize, state: &State) -> Option<Vec3> {
         (support < self.count()).then(|| self.arm(support, state.pose()))
+    }
+
+    /// The normal where a support touches, out of the obstacle and into the body, world axes; `ẑ` of a support that there is not.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::{State, World, examples};
+    /// use carom_num::Vec3;
+    /// let (world, start) = examples::falling_cube();
+    /// assert_eq!(world.normal_at(0, &start), Vec3::Z);
+    /// ```
+    pub fn normal_at(&self, support: usize, state: &State) -> Vec3 {
+        if support < self.count() { self.normal(support, state.pose()) } else { Vec3::Z }
     }
 
     /// The same of a support that there is.
@@ -101,13 +116,106 @@ impl World {
         deep.find(|(_, depth)| *depth > spare)
     }
 
+    /// The obstacles that the body reaches into by more than `spare`, and how far \[m\]. No run starts so.
+    ///
+    /// # Example
+    /// A cube of 1 m whose centre is 0.4 m above the floor.
+    /// ```
+    /// use carom_motion::spatial::{Friction, Plane, State, World, examples};
+    /// use carom_num::{Rotation, Vec3};
+    /// let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
+    /// let state = State { centre: Vec3::Z * 0.4, attitude, velocity: still, spin: still };
+    /// let world = World::new(examples::block(), Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.1)).unwrap();
+    /// let deep = world.among(vec![Plane::FLOOR]).unwrap().reaches_into(&state, 1e-9);
+    /// assert!(deep.len() == 1 && (deep[0].1 - 0.1).abs() < 1e-15);
+    /// ```
+    pub fn reaches_into(&self, state: &State, spare: f64) -> Vec<(usize, f64)> {
+        let depth = |obstacle: usize| match self.obstacles.get(obstacle) {
+            Some(other) if !other.corners.is_empty() => -self.surface.separation(other, state.pose()),
+            _ => {
+                let [points, _] = self.of_obstacle(obstacle);
+                points.map(|i| -measured(self, state, None, i)).fold(f64::NEG_INFINITY, f64::max)
+            }
+        };
+        let all = (0..self.obstacle_count()).map(|obstacle| (obstacle, depth(obstacle)));
+        all.filter(|(_, depth)| *depth > spare).collect()
+    }
+
     /// The supports of a plane; beyond the planes each pair is by itself.
-    pub(in crate::spatial) fn of_plane(&self, plane: usize) -> Supports {
+    pub(in crate::spatial) fn of_plane(&self, plane: usize) -> Range<usize> {
         let (points, planes) = (self.body().supports().len(), self.planes().len());
         match plane.checked_sub(planes) {
-            None => (plane * points..(plane + 1) * points).collect(),
-            Some(pair) => Supports::one(planes * points + pair),
+            None => plane * points..(plane + 1) * points,
+            Some(pair) => planes * points + pair..planes * points + pair + 1,
         }
+    }
+
+    /// The obstacle of a support, by its place in the list that [`World::among`] was given; 0 where there is the one plane z = 0.
+    ///
+    /// # Example
+    /// A cube of eight corners on a floor and between two walls, which are planes.
+    /// ```
+    /// use carom_motion::spatial::{Friction, Plane, World, examples};
+    /// use carom_num::Vec3;
+    /// let wall = |x: f64| Plane::new(Vec3::X * x, -2.0).unwrap();
+    /// let world = World::new(examples::block(), Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.1)).unwrap();
+    /// let world = world.among(vec![Plane::FLOOR, wall(1.0), wall(-1.0)]).unwrap();
+    /// assert_eq!([7, 8, 23].map(|support| world.obstacle_of(support)), [0, 1, 2]);
+    /// ```
+    pub fn obstacle_of(&self, support: usize) -> usize {
+        let of_face = |share: &Share| share.planes.contains(&self.plane_of(support));
+        let pair = support.checked_sub(self.of_faces());
+        let of_pair = |share: &Share| pair.is_some_and(|pair| share.pairs.contains(&pair));
+        let own = |share: &Share| if pair.is_some() { of_pair(share) } else { of_face(share) };
+        self.shares.iter().position(own).unwrap_or_default()
+    }
+
+    /// How many obstacles there are.
+    pub(in crate::spatial) fn obstacle_count(&self) -> usize {
+        self.shares.len()
+    }
+
+    /// The supports of an obstacle: on its faces, and the pairs.
+    pub(in crate::spatial) fn of_obstacle(&self, obstacle: usize) -> [Range<usize>; 2] {
+        let (share, points, faces) = (&self.shares[obstacle], self.body().supports().len(), self.of_faces());
+        let (planes, pairs) = (&share.planes, &share.pairs);
+        [planes.start * points..planes.end * points, faces + pairs.start..faces + pairs.end]
+    }
+
+    /// How far a place is from an obstacle at least; negative where that may be 0 \[m\].
+    pub(in crate::spatial) fn distance(&self, obstacle: usize, place: Vec3) -> f64 {
+        let planes = self.planes()[self.shares[obstacle].planes.clone()].iter();
+        let beyond =
+            |edge: &Edge| edge.outward.unit().map_or(f64::NEG_INFINITY, |n| n.dot(place - edge.from));
+        let edges = self.obstacles.get(obstacle).map_or(&[][..], |surface| &surface.edges);
+        planes
+            .map(|plane| plane.height(place))
+            .chain(edges.iter().map(beyond))
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The pairs of obstacles from which the body, with its mass centre here, is so far that none of them is near touching.
+    pub(in crate::spatial) fn far(&self, centre: Vec3) -> Vec<Range<usize>> {
+        let reach = FAR * self.body().reach();
+        let far = (0..self.obstacle_count()).filter(|obstacle| self.distance(*obstacle, centre) > reach);
+        far.map(|obstacle| self.of_obstacle(obstacle)[1].clone()).collect()
+    }
+
+    /// A body that flies so is below all obstacles that have ends, and no plane without ends faces upwards: nothing can carry it any more.
+    pub(in crate::spatial) fn is_past(&self, state: &State) -> bool {
+        let Some(down) = self.gravity().unit() else { return false };
+        let carries = |plane: &Plane| plane.normal().dot(down) < -CARRIES;
+        let lowest = |surface: &Surface| {
+            let corners = surface.corners.iter().map(|corner| down.dot(*corner));
+            corners.fold(f64::NEG_INFINITY, f64::max)
+        };
+        let below = |surface: &Surface| {
+            if surface.corners.is_empty() {
+                return !surface.faces.iter().any(|face| carries(&face.plane));
+            }
+            down.dot(state.centre) - self.body().reach() > lowest(surface)
+        };
+        !self.obstacles.is_empty() && down.dot(state.velocity) >= 0.0 && self.obstacles.iter().all(below)
     }
 
     /// The plane of a support, by its number.

@@ -4,7 +4,7 @@ use super::body::Body;
 use super::feature::Feature;
 use super::friction::{Friction, FrictionProblem};
 use super::hull::HullProblem;
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, Rough};
 use super::pair::Pair;
 use super::plane::Plane;
 use super::polyhedron::Polyhedron;
@@ -12,6 +12,7 @@ use super::supports::Supports;
 use super::surface::{Limit, Surface};
 use crate::tolerance::{ON_EDGE, ONE_SUPPORT};
 use carom_num::Vec3;
+use std::ops::Range;
 use thiserror::Error;
 
 /// A body over the plane z = 0 of the world, which lies below it: z is the plane's normal; or among planes, plates and solids ([`World::among`]).
@@ -42,6 +43,15 @@ pub struct World {
     pub(super) surface: Surface,
     pub(super) spokes: Vec<Vec<Vec3>>,
     pub(super) obstacles: Vec<Surface>,
+    /// Which planes and pairs are theirs.
+    pub(super) shares: Vec<Share>,
+}
+
+/// What of all planes and pairs is of one obstacle.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Share {
+    pub(super) planes: Range<usize>,
+    pub(super) pairs: Range<usize>,
 }
 
 /// What a body cannot be among.
@@ -158,6 +168,7 @@ impl World {
             surface: Surface::default(),
             spokes: vec![],
             obstacles: vec![],
+            shares: vec![Share { planes: 0..1, pairs: 0..0 }],
         }
     }
 
@@ -202,9 +213,17 @@ impl World {
         if obstacles.is_empty() {
             return Err(ObstaclesProblem::None);
         }
-        let obstacles: Vec<Surface> = obstacles.into_iter().map(|obstacle| obstacle.into().0).collect();
+        let obstacles: Vec<Obstacle> = obstacles.into_iter().map(Into::into).collect();
+        let rough: Vec<Rough> = obstacles.iter().map(|obstacle| obstacle.rough).collect();
+        let obstacles: Vec<Surface> = obstacles.into_iter().map(|obstacle| obstacle.surface).collect();
         let (surface, spokes) = surface_of(&self.body, &obstacles)?;
-        let pairs = pairs_of(&surface, &obstacles);
+        let (mut pairs, mut shares, mut planes) = (vec![], vec![], 0);
+        for obstacle in &obstacles {
+            let (first, from) = (planes, pairs.len());
+            planes += obstacle.faces.len();
+            pairs.extend(pairs_of(&surface, obstacle));
+            shares.push(Share { planes: first..planes, pairs: from..pairs.len() });
+        }
         let faces = obstacles.iter().flat_map(|obstacle| &obstacle.faces);
         let (planes, limits): (Vec<_>, Vec<_>) = faces.map(|face| (face.plane, face.limits.clone())).unzip();
         let count = self.body.supports().len() * planes.len() + pairs.len();
@@ -212,7 +231,26 @@ impl World {
             return Err(ObstaclesProblem::Count { pairs: count });
         }
         friction.check(count).map_err(ObstaclesProblem::Friction)?;
-        Ok(Self { planes, limits, pairs, surface, spokes, obstacles, ..self })
+        let world = Self { planes, limits, pairs, surface, spokes, obstacles, shares, ..self };
+        world.roughened(&rough).map_err(ObstaclesProblem::Friction)
+    }
+
+    /// The same, where some obstacles have friction or restitution of their own.
+    fn roughened(self, rough: &[Rough]) -> Result<Self, FrictionProblem> {
+        let Some(friction) =
+            self.friction.as_ref().filter(|_| rough.iter().any(|own| *own != Rough::default()))
+        else {
+            return Ok(self);
+        };
+        let (mut coefficients, mut restitutions) = (vec![], vec![]);
+        for support in 0..self.count() {
+            let own = rough[self.obstacle_of(support)];
+            coefficients.push(own.friction.unwrap_or_else(|| friction.coefficient(support)));
+            restitutions.push(own.restitution.unwrap_or_else(|| friction.restitution(support)));
+        }
+        let friction = Friction::of_all(coefficients, restitutions, friction.law());
+        friction.check(self.count())?;
+        Ok(Self { friction: Some(friction), ..self })
     }
 
     /// The planes that the body may touch: those of faces too.
@@ -297,21 +335,19 @@ fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Ve
     Ok((surface, spokes))
 }
 
-/// What they may touch of obstacles.
-fn pairs_of(own: &Surface, obstacles: &[Surface]) -> Vec<Pair> {
+/// What a body may touch of an obstacle besides its faces: each of its faces each of the corners, then each of its edges each of the edges.
+fn pairs_of(own: &Surface, obstacle: &Surface) -> Vec<Pair> {
     let mut pairs = vec![];
-    for obstacle in obstacles {
-        for face in &own.faces {
-            let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| Pair::Corner {
-                face: face.clone(),
-                corner: *corner,
-                spokes: spokes.clone(),
-            };
-            pairs.extend(obstacle.corners.iter().zip(&obstacle.spokes).map(of));
-        }
-        for edge in &own.edges {
-            pairs.extend(obstacle.edges.iter().map(|other| Pair::Cross { own: *edge, other: *other }));
-        }
+    for face in &own.faces {
+        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| Pair::Corner {
+            face: face.clone(),
+            corner: *corner,
+            spokes: spokes.clone(),
+        };
+        pairs.extend(obstacle.corners.iter().zip(&obstacle.spokes).map(of));
+    }
+    for edge in &own.edges {
+        pairs.extend(obstacle.edges.iter().map(|other| Pair::Cross { own: *edge, other: *other }));
     }
     pairs
 }

@@ -1,6 +1,5 @@
 //! The contacts of an impact with friction.
 
-use crate::spatial::geometry::friction::Friction;
 use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
@@ -61,7 +60,7 @@ pub(in crate::spatial) fn contacts_of<const N: usize>(
         arm: state.attitude.apply(world.arm(i, state.pose())),
         normal: world.normal(i, state.pose()),
         friction: world.friction().map_or(0.0, |f| f.coefficient(i)),
-        restitution: world.friction().map_or(0.0, Friction::restitution),
+        restitution: world.friction().map_or(0.0, |f| f.restitution(i)),
     };
     let touches: Vec<Touch> = asked.iter().map(touch).collect();
     ContactSet::of_free_body(&state.rigid(world.body()), &touches)
@@ -77,7 +76,8 @@ fn slips_on_planes(world: &World, state: &State, touching: Supports, size: f64) 
     let rounded = |slip: Vec3| if slip.norm() <= SLIP_ROUNDING * size { Vec3::ZERO } else { slip };
     let mut slips = vec![];
     for (number, plane) in world.planes().iter().enumerate() {
-        let own = touching.common(world.of_plane(number));
+        let of_plane = world.of_plane(number);
+        let own = touching.those(|i| of_plane.contains(&i));
         let slip = |i: usize| plane.along(state.velocity_of(world.arm(i, state.pose())));
         let place = |i: usize| plane.along(state.attitude.apply(world.arm(i, state.pose())));
         let slowest = own.iter().min_by(|a, b| slip(*a).norm().total_cmp(&slip(*b).norm()));

@@ -6,6 +6,7 @@ use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
 use crate::tolerance::ON_EDGE;
 use carom_num::{Mat3, Rotation, Vec3};
+use std::ops::Range;
 
 /// What a body does.
 ///
@@ -82,7 +83,8 @@ impl Mode {
         }
         // Others between the ends touch their plane too, where it holds two of these.
         let beside = |i: &usize| {
-            let of_its_plane = held.common(world.of_plane(world.plane_of(*i)));
+            let own = world.of_plane(world.plane_of(*i));
+            let of_its_plane = held.those(|i| own.contains(&i));
             of_its_plane.len() >= 2 && collinear(*i) && world.is_between(ends, *i)
         };
         let between: Supports = (0..world.of_faces()).filter(beside).collect();
@@ -108,19 +110,17 @@ impl Mode {
         }
     }
 
-    /// The supports whose points stay where they are: those of other planes, too, that they may not touch.
-    pub(in crate::spatial) fn fixed(&self, world: &World) -> Supports {
-        let near = ON_EDGE * world.body().reach();
-        let of = |on: &dyn Fn(Vec3) -> bool| (0..world.of_faces()).filter(|i| on(world.point(*i))).collect();
+    /// What of the body stays where it is.
+    pub(in crate::spatial) fn fixed(&self, world: &World) -> Fixed {
         match *self {
-            Self::Flight => Supports::NONE,
+            Self::Flight => Fixed::Nothing,
             Self::Slides { sticking, .. } if world.body().is_round() || world.has_pairs(sticking) => {
-                Supports::NONE
+                Fixed::Nothing
             }
             Self::Slides { sticking, .. } => Self::holding(world, sticking, Pose::NONE).fixed(world),
-            Self::Pivot { support, .. } => of(&|arm| (arm - world.point(support)).norm() <= near),
-            Self::Edge { ends: [a, _], along, .. } => of(&|arm| off_line(arm, world.point(a), along) <= near),
-            Self::Rest { .. } => (0..world.count()).collect(),
+            Self::Pivot { support, .. } => Fixed::Point(world.point(support)),
+            Self::Edge { ends: [a, _], along, .. } => Fixed::Line(world.point(a), along),
+            Self::Rest { .. } => Fixed::All,
         }
     }
 
@@ -136,24 +136,49 @@ impl Mode {
     }
 }
 
+/// What of a body stays where it is in a mode.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) enum Fixed {
+    Nothing,
+    /// A point of it, body axes.
+    Point(Vec3),
+    /// The points of a line: one of them, and its direction.
+    Line(Vec3, Vec3),
+    All,
+}
+
+impl Fixed {
+    /// A support whose point stays where it is: that of another plane, too, which it may not touch.
+    pub(in crate::spatial) fn holds(&self, world: &World, support: usize) -> bool {
+        let near = ON_EDGE * world.body().reach();
+        let of_face = support < world.of_faces();
+        match *self {
+            Self::Nothing => false,
+            Self::Point(point) => of_face && (world.point(support) - point).norm() <= near,
+            Self::Line(point, along) => of_face && off_line(world.point(support), point, along) <= near,
+            Self::All => true,
+        }
+    }
+}
+
 /// The supports of each plane on the point, line or plane that these span of it: they stay on the plane with them.
 pub(in crate::spatial) fn spanned(world: &World, bearing: Supports) -> Supports {
     // Of a face that has ends others may be on its plane, and beyond them.
-    let endless = |plane: &usize| world.of_plane(*plane).iter().next().is_none_or(|i| world.limits(i) == 0);
+    let endless = |plane: &usize| world.of_plane(*plane).next().is_none_or(|i| world.limits(i) == 0);
     let planes = (0..world.planes().len()).filter(endless);
     planes.map(|plane| spanned_of(world, bearing, world.of_plane(plane))).fold(bearing, Supports::union)
 }
 
 /// Those of one plane.
-fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
-    let bearing = bearing.common(own);
+fn spanned_of(world: &World, bearing: Supports, own: Range<usize>) -> Supports {
+    let bearing = bearing.those(|i| own.contains(&i));
     // Places of features that are not alike move against each other: only those between two of them stay on the plane with them.
     if !world.are_alike(bearing) {
         let between = |i: &usize| {
             let ends = |a: usize| bearing.iter().filter(move |b| a < *b).map(move |b| [a, b]);
             bearing.iter().flat_map(ends).any(|ends| world.is_between(ends, *i))
         };
-        return bearing.union(own.iter().filter(between).collect());
+        return bearing.union(own.filter(between).collect());
     }
     let mode = Mode::holding(world, bearing, Pose::NONE);
     let Mode::Rest { held } = mode else { return mode.held(world) };
@@ -163,7 +188,7 @@ fn spanned_of(world: &World, bearing: Supports, own: Supports) -> Supports {
         (world.point(*i) - world.point(first)).dot(normal).abs() <= ON_EDGE * world.body().reach()
     };
     let like = |i: &usize| world.are_alike([first, *i].into_iter().collect());
-    held.union(own.iter().filter(on).filter(like).collect())
+    held.union(own.filter(on).filter(like).collect())
 }
 
 /// The unit normal of the plane through three or more supports.

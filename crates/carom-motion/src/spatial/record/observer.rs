@@ -100,6 +100,29 @@ pub trait Observer {
         let _ = (time, state);
     }
 
+    /// A stretch of motion starts in a mode; the answer may end the run.
+    ///
+    /// # Example
+    /// The run ends once the body has touched something and moves on.
+    /// ```
+    /// use carom_motion::spatial::{End, Mode, Observer, Options, State, examples, run};
+    /// use std::ops::ControlFlow;
+    /// let (world, start) = examples::rocking_cube();
+    /// struct Stops;
+    /// impl Observer for Stops {
+    ///     fn starts(&mut self, time: f64, mode: Mode, _: &State) -> ControlFlow<()> {
+    ///         if time > 0.0 && mode != Mode::Flight { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    ///     }
+    /// }
+    /// let stopped = run(&world, &start, &Options::default(), &mut Stops)?;
+    /// assert!(stopped.end == End::Stopped && stopped.time > 0.0);
+    /// # Ok::<(), carom_motion::MotionError>(())
+    /// ```
+    fn starts(&mut self, time: f64, mode: Mode, state: &State) -> ControlFlow<()> {
+        let _ = (time, mode, state);
+        ControlFlow::Continue(())
+    }
+
     /// A stretch of motion has ended.
     fn piece(&mut self, piece: &Piece) {
         let _ = piece;

@@ -122,6 +122,53 @@ pub struct Piece {
     pub start: State,
     /// State at the end.
     pub end: State,
+    /// What ended it.
+    pub ended_by: PieceEnd,
+}
+
+/// What ends a stretch of motion.
+///
+/// # Example
+/// A cube falls until one of its corners touches the plane.
+/// ```
+/// use carom_motion::spatial::{Options, PieceEnd, Samples, examples, run};
+/// let (world, start) = examples::falling_cube();
+/// let mut samples = Samples::default();
+/// run(&world, &start, &Options::default(), &mut samples)?;
+/// assert!(matches!(samples.pieces[0].ended_by, PieceEnd::Touches { .. }));
+/// # Ok::<(), carom_motion::MotionError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PieceEnd {
+    /// A support comes to touch.
+    Touches {
+        /// Which one.
+        support: usize,
+    },
+    /// The normal force on a support has come to zero.
+    LiftsOff {
+        /// Which one.
+        support: usize,
+    },
+    /// Friction holds as much as it can.
+    FrictionGivesWay,
+    /// A slip has come to its end.
+    SlipStops,
+    /// The place where a support touches has come to the end of a face or of an edge.
+    RunsOff {
+        /// Which one.
+        support: usize,
+    },
+    /// A circle has come to lie flat.
+    Flattens,
+    /// A normal force grows without bound: Painlevé's paradox.
+    Jams,
+    /// It leans over as far as [`crate::spatial::terms::Overturning`] says.
+    Overturns,
+    /// It flies, and nothing is left that could carry it.
+    FliesAway,
+    /// A budget is used up.
+    BudgetSpent,
 }
 
 /// Which clock a question was asked on.
@@ -210,6 +257,8 @@ pub enum End {
     },
     /// It leans over as far as [`crate::spatial::terms::Overturning`] says.
     Overturned,
+    /// It flies and is below all obstacles that have ends, and no plane without ends faces upwards: nothing can carry it any more. It may still brush along upright planes.
+    FliesAway,
     /// Without sliding there is no way on.
     NoConsistentOutcome(Clock),
     /// There are several ways on, and [`crate::spatial::terms::Choice::End`] takes none of them.

@@ -64,7 +64,7 @@ impl Walker<'_> {
         }
         self.level_heights(mode);
         // A body at rest may lie on more supports than the series' impacts have kept.
-        let resting = if matches!(mode, Mode::Rest { .. }) { self.touching() } else { Supports::NONE };
+        let resting = if matches!(mode, Mode::Rest { .. }) { self.touching()? } else { Supports::NONE };
         let kept = series.kept.union(resting);
         let end = self.hold(kept, None)?;
         if !all_held(world, self.mode, kept) && self.impacts.len() == impacts {
@@ -111,7 +111,7 @@ impl Walker<'_> {
     /// The supports of the same plane come down by this.
     fn sink(&mut self, support: usize, by: impl Fn(usize) -> f64) {
         let own = self.world.of_plane(self.world.plane_of(support));
-        own.iter().for_each(|i| self.heights[i] -= by(i));
+        own.into_iter().for_each(|i| self.heights[i] -= by(i));
     }
 
     /// Whatever was seen of series is over.

@@ -14,6 +14,8 @@ use carom_num::ode8::Step;
 
 /// Places of a step at which a support that never leaves its plane is looked at.
 const SKIMMED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+/// A body that is certain to be beside an obstacle for a smaller part of a step is near it.
+const NEAR: f64 = 0.05;
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
 const MOST_NEWTON: u32 = 20;
 
@@ -101,24 +103,60 @@ impl<M: Motion> Gliding<'_, '_, M> {
             first = earlier(first, fall);
         }
         first = first.map(|found| placed(self, step, found.event, found.at));
-        let level = self.level;
-        let free = (0..self.walker.world.count()).filter(|i| !level.contains(*i));
-        for support in free {
-            let until = first.map_or(1.0, |found| found.at);
-            let from = if self.departing.contains(support) {
-                let mut bend = |x: f64| {
-                    let at = self.place(step, x).1;
-                    let second = self.height(support, &at).second;
-                    // At the very start it may be zero, but for rounding.
-                    [if x == 0.0 { second.max(0.0) } else { second }]
-                };
-                first_fall(&mut bend).map_or(1.0, |fall| fall.at)
-            } else {
-                0.0
-            };
-            first = self.march(step, (support, from, until)).or(first);
+        for obstacle in 0..self.walker.world.obstacle_count() {
+            let Some(near) = self.comes_near(step, obstacle) else { continue };
+            for support in self.walker.world.of_obstacle(obstacle).into_iter().flatten() {
+                if self.held.contains(support) || self.fixed.holds(self.walker.world, support) {
+                    continue;
+                }
+                first = self.touch_of(step, (support, near), first).or(first);
+            }
         }
         first
+    }
+
+    /// The touch of a support between a place of a step and an event that is found already.
+    fn touch_of(
+        &mut self,
+        step: &Step<M::Y>,
+        (support, near): (usize, f64),
+        first: Option<Found<Event>>,
+    ) -> Option<Found<Event>> {
+        let until = first.map_or(1.0, |found| found.at);
+        let from = if self.departing.contains(support) {
+            let mut bend = |x: f64| {
+                let at = self.place(step, x).1;
+                let second = self.height(support, &at).second;
+                // At the very start it may be zero, but for rounding.
+                [if x == 0.0 { second.max(0.0) } else { second }]
+            };
+            first_fall(&mut bend).map_or(1.0, |fall| fall.at)
+        } else {
+            near
+        };
+        self.march(step, (support, from, until))
+    }
+
+    /// The place of a step until which the body is certain to be beside an obstacle; `None` where it is so for the whole step.
+    fn comes_near(&mut self, step: &Step<M::Y>, obstacle: usize) -> Option<f64> {
+        let (mut x, length) = (0.0, step.length);
+        if self.walker.world.obstacle_count() == 1 {
+            return Some(x);
+        }
+        while x < 1.0 {
+            let at = self.place(step, x).1;
+            let moving = self.motion.moving(&at);
+            let most = self.motion.most(&at, (1.0 - x) * length);
+            let clear = self.walker.world.distance(obstacle, moving.state.centre) - self.walker.scales.length;
+            let rate = -moving.state.velocity.norm();
+            let next = Height { value: clear, rate, second: 0.0 }.safe(most.acceleration) / length;
+            // So near, or told from what is no number.
+            if !(clear > 0.0 && next > NEAR) {
+                return Some(x);
+            }
+            x += next;
+        }
+        None
     }
 
     /// A support with this height goes along its plane for the whole step and never leaves it: beside a wall, where nothing presses it.

@@ -7,7 +7,7 @@ use crate::MotionError;
 use crate::spatial::geometry::state::State;
 use crate::spatial::modes::mode::Mode;
 use crate::spatial::modes::stretch::Stretch;
-use crate::spatial::record::run::Piece;
+use crate::spatial::record::run::{Piece, PieceEnd};
 use crate::tolerance::STILL_ACCELERATION;
 use carom_num::Vec3;
 use carom_num::course::{self, Course, Lost, follow};
@@ -21,8 +21,8 @@ impl<'w> Walker<'w> {
             _ => self.glide_standing()?,
         };
         let (mode, end, end_time) = (self.mode, self.state, self.time);
-        if stop != Stop::Still {
-            self.observer.piece(&Piece { mode, start_time, end_time, start, end });
+        if let Some(ended_by) = ended_by(stop) {
+            self.observer.piece(&Piece { mode, start_time, end_time, start, end, ended_by });
         }
         Ok(stop)
     }
@@ -88,4 +88,23 @@ impl<'w> Walker<'w> {
         let change = after - before - body.mass() * fallen - work;
         self.drift = self.drift.max(change.abs() / (self.scales.energy + before.max(after)));
     }
+}
+
+/// What ended a stretch; `None` where nothing moved.
+fn ended_by(stop: Stop) -> Option<PieceEnd> {
+    Some(match stop {
+        Stop::Still => return None,
+        Stop::Spent(_) => PieceEnd::BudgetSpent,
+        Stop::Away => PieceEnd::FliesAway,
+        Stop::Event(event) => match event {
+            Event::Touches(support) => PieceEnd::Touches { support },
+            Event::Lets { support, .. } => PieceEnd::LiftsOff { support },
+            Event::Slips(_) | Event::Gives => PieceEnd::FrictionGivesWay,
+            Event::Stops => PieceEnd::SlipStops,
+            Event::Leaves { support, .. } => PieceEnd::RunsOff { support },
+            Event::Flattens(_) => PieceEnd::Flattens,
+            Event::Jams => PieceEnd::Jams,
+            Event::Overturns => PieceEnd::Overturns,
+        },
+    })
 }

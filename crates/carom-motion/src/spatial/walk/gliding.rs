@@ -6,6 +6,7 @@ use crate::evaluated::{Quantity, evaluated, lost, watched};
 use crate::spatial::geometry::posture::Posture;
 use crate::spatial::geometry::state::measured;
 use crate::spatial::geometry::supports::Supports;
+use crate::spatial::modes::mode::{Fixed, Mode};
 use crate::spatial::record::run::Budget;
 use crate::spatial::terms::Overturning;
 use crate::tolerance::{SHORTEST_SPATIAL_STEP, SKIMS_MEASURED, SMALL_HEIGHT, TOUCHES_AT_START};
@@ -26,8 +27,8 @@ pub(super) struct Gliding<'g, 'w, M> {
     pub(in crate::spatial) motion: M,
     /// Supports that are held.
     pub(in crate::spatial) held: Supports,
-    /// They, and all others whose heights do not change.
-    pub(super) level: Supports,
+    /// What of the body stays where it is: heights of its points do not change.
+    pub(super) fixed: Fixed,
     /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
     pub(super) departing: Supports,
     pub(in crate::spatial) overturning: Option<Overturning>,
@@ -47,7 +48,12 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         let (world, near) = (walker.world, SKIMS_MEASURED * walker.scales.length);
         let at = motion.posture(first, 0.0);
         let count = |i: usize| {
-            let (noted, gap) = (walker.heights[i], motion.gap(world, i, &at).value);
+            let noted = walker.heights[i];
+            // Of what is far no gap is counted on.
+            if noted == f64::INFINITY {
+                return 0.0;
+            }
+            let gap = motion.gap(world, i, &at).value;
             // What has just touched is at no height, however little the projection of others has moved it.
             if gap.is_finite() && noted == 0.0 || (noted - gap).abs() <= near { noted - gap } else { 0.0 }
         };
@@ -55,7 +61,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         let (body, held) = (walker.world.body(), walker.mode.held(walker.world));
         Self {
             held,
-            level: held.union(walker.mode.fixed(walker.world)),
+            fixed: walker.mode.fixed(walker.world),
             departing: std::mem::take(&mut walker.departing),
             overturning: walker.options.overturning,
             middle: body.middle(),
@@ -74,8 +80,9 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         // What is beside a face, or behind it, may be at no height as well.
         let world = self.walker.world;
         let low = TOUCHES_AT_START * self.walker.scales.length;
+        let near = |i: &usize| self.walker.heights[*i] < f64::INFINITY;
         let ahead = |i: &usize| world.limits(*i) == 0 || self.height(*i, &at).value > low;
-        let foreseen = free.filter(ahead).filter_map(|i| self.height(i, &at).forecast());
+        let foreseen = free.filter(near).filter(ahead).filter_map(|i| self.height(i, &at).forecast());
         let foreseen = foreseen.fold(f64::INFINITY, f64::min);
         let own = if self.walker.length > 0.0 { self.walker.length } else { FIRST_STEP * unit };
         own.max(FIRST_STEP * unit).min(BEYOND * foreseen).max(SHORTEST_SPATIAL_STEP * unit)
@@ -99,7 +106,12 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     /// Carries the heights on to the end of a stretch. Heights that are not small are measured again, so that rounding does not add up.
     fn note_heights(&mut self, at: &Posture) {
         let (world, foot) = (self.walker.world, self.walker.mode.foot());
+        let far = world.far(self.walker.state.centre);
         for support in 0..world.count() {
+            if far.iter().any(|pairs| pairs.contains(&support)) {
+                self.walker.heights[support] = f64::INFINITY;
+                continue;
+            }
             let counted = self.height(support, at).value;
             self.walker.heights[support] = if self.held.contains(support) {
                 0.0
@@ -188,6 +200,10 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
         {
             self.arrive(&end, self.elapsed + rest);
             return Some(Stop::Event(Event::Stops));
+        }
+        if self.walker.mode == Mode::Flight && self.walker.world.is_past(&self.walker.state) {
+            self.work = self.motion.work(y);
+            return Some(Stop::Away);
         }
         let options = self.walker.options;
         let spent = if self.walker.time >= options.most_time {

@@ -50,6 +50,8 @@ pub(in crate::spatial) enum Event {
 pub(super) enum Stop {
     Event(Event),
     Spent(Budget),
+    /// It flies, and nothing can carry it any more.
+    Away,
     /// Nothing moves, and nothing makes it move.
     Still,
 }

@@ -35,14 +35,16 @@ impl Walker<'_> {
     fn measure_heights(&mut self) {
         let (world, state) = (self.world, self.state);
         let placed = |i: &usize| measured(world, &state, None, *i);
+        let far = world.far(state.centre);
         for support in world.of_faces()..world.count() {
-            self.heights[support] = placed(&support);
+            let is_far = far.iter().any(|pairs| pairs.contains(&support));
+            self.heights[support] = if is_far { f64::INFINITY } else { placed(&support) };
         }
         for plane in 0..world.planes().len() {
             let own = world.of_plane(plane);
-            let lowest = own.iter().min_by(|a, b| placed(a).total_cmp(&placed(b))).unwrap_or_default();
+            let lowest = own.clone().min_by(|a, b| placed(a).total_cmp(&placed(b))).unwrap_or_default();
             let ground = placed(&lowest);
-            for support in own.iter() {
+            for support in own {
                 self.heights[support] = ground + measured(world, &state, Some(lowest), support);
             }
         }
@@ -58,7 +60,7 @@ impl Walker<'_> {
             return Err(MotionError::Overlaps { obstacle, depth });
         }
         self.measure_heights();
-        for support in 0..count {
+        for support in (0..count).filter(|i| self.heights[*i] < f64::INFINITY).collect::<Vec<_>>() {
             let (height, velocity) = (self.heights[support], self.velocity_of(support));
             let rise = self.rise_of(support);
             let ends = self.world.limits(support) > 0;
@@ -103,19 +105,25 @@ impl Walker<'_> {
         let ends = |i: &usize| self.world.limits(*i) > 0;
         // Below a face that has ends the body may be beside it.
         let near = |i: &usize| !ends(i) || self.heights[*i] >= -BESIDE * self.scales.length;
-        let touching = (0..self.world.count()).filter(|i| touches(i) && near(i)).collect();
+        let touching = (0..self.world.count()).filter(|i| self.heights[*i] < f64::INFINITY);
+        let touching = touching.filter(|i| touches(i) && near(i)).collect();
         let held = self.mode.held(self.world).union(touching);
         held.iter().filter(|i| !ends(i) || self.world.is_within(*i, &self.state)).collect()
     }
 
     /// The same, once at each place.
-    pub(in crate::spatial) fn touching(&self) -> Supports {
-        self.world.distinct(self.near(), self.state.pose())
+    pub(in crate::spatial) fn touching(&self) -> Result<Supports, MotionError> {
+        let near = self.near();
+        if near.is_overfull() {
+            let (time, count, most) = (self.time, near.len() + 1, Supports::TOGETHER);
+            return Err(MotionError::TooManyTouching { time, count, most });
+        }
+        Ok(self.world.distinct(near, self.state.pose()))
     }
 
     /// What comes of supports that touch: an impact, if one of them comes down.
     pub(in crate::spatial) fn meet(&mut self) -> Result<Option<End>, MotionError> {
-        let touching = self.touching();
+        let touching = self.touching()?;
         if self.lies_flat(touching) {
             return Ok(Some(End::Flat { touching }));
         }
@@ -164,7 +172,7 @@ impl Walker<'_> {
     /// The place where a support touches has come to the end of a face or an edge. What touches there now goes on: an edge where a point has left a face, say. What approaches
     /// strikes.
     pub(super) fn leave(&mut self, support: usize) -> Result<Option<End>, MotionError> {
-        let touching = self.touching().difference(Supports::one(support));
+        let touching = self.touching()?.difference(Supports::one(support));
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world);
         let striking = touching.difference(held);

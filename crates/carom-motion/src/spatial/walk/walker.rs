@@ -183,6 +183,9 @@ impl<'w> Walker<'w> {
 
     /// To the next event, and through it.
     fn advance(&mut self) -> Result<Option<End>, MotionError> {
+        if self.observer.starts(self.time, self.mode, &self.state).is_break() {
+            return Ok(Some(End::Stopped));
+        }
         Ok(match self.glide()? {
             Stop::Event(Event::Touches(_)) => self.meet()?,
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
@@ -194,6 +197,7 @@ impl<'w> Walker<'w> {
             Stop::Event(Event::Flattens(_)) => Some(End::Flat { touching: self.mode.held(self.world) }),
             Stop::Event(Event::Overturns) => Some(End::Overturned),
             Stop::Spent(budget) => Some(End::BudgetSpent(budget)),
+            Stop::Away => Some(End::FliesAway),
             Stop::Still => Some(self.at_rest()),
         })
     }

@@ -264,8 +264,8 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
         told(message, format!("draw its circles with fewer sides, at most {most}; {other}"));
     }
     let count = hull.vertices().len();
-    if count > Supports::MOST {
-        let message = format!("its hull has {count} vertices: at most {} are followed", Supports::MOST);
+    if count > Body::MOST {
+        let message = format!("its hull has {count} vertices: at most {} are followed", Body::MOST);
         told(message, "draw it with fewer facets: what lies within the hull does not count".to_owned());
     }
     wide > 0
