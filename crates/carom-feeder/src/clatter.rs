@@ -1,10 +1,30 @@
 //! Folding: many strikes on one obstacle, one soon after the other, are one stage of the table.
 
-use crate::feeder::Feeder;
 use crate::run::{Stage, StageEnd, StageName};
-use carom_motion::planar::State;
-use carom_motion::planar::trace::{Impact, Trace};
 use std::ops::RangeInclusive;
+
+/// A strike, as far as folding looks at it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Strike<S> {
+    /// When [s].
+    pub(crate) time: f64,
+    /// The obstacle that is struck first.
+    pub(crate) obstacle: Option<usize>,
+    /// State before.
+    pub(crate) before: S,
+    /// State after.
+    pub(crate) after: S,
+}
+
+/// What happened in a run, in the plane or in space.
+#[derive(Clone, Debug)]
+pub(crate) struct Happened<S> {
+    pub(crate) strikes: Vec<Strike<S>>,
+    /// Start and end of every piece of the motion [s].
+    pub(crate) pieces: Vec<[f64; 2]>,
+    /// Series of strikes that were closed at their limit: their last strikes, and the limits [s].
+    pub(crate) series: Vec<(f64, f64)>,
+}
 
 /// Strikes that are folded even where no series was closed at its limit.
 const MANY: usize = 4;
@@ -15,15 +35,19 @@ const LONG: f64 = 0.25;
 /// part falls through 1/20 000 of its size.
 const SPECK: f64 = 0.01;
 
-/// How long a stage may last and still be a speck [s].
-pub(crate) fn moment(feeder: &Feeder) -> f64 {
-    SPECK * (feeder.part.body.shape.size() / feeder.gravity).sqrt()
+/// How long a stage of a part of this size may last under this gravity and still be a speck [s].
+pub(crate) fn moment(size: f64, gravity: f64) -> f64 {
+    SPECK * (size / gravity).sqrt()
 }
 
 /// Folds the strikes that follow the first one on an obstacle, and the short stages between them, into one stage each.
 ///
 /// Strikes on several obstacles with nothing but specks between them, no longer than `moment` [s], are folded as well.
-pub(crate) fn fold(stages: Vec<Stage>, trace: &Trace, moment: f64) -> Vec<Stage> {
+pub(crate) fn fold<S: Copy, F: Clone>(
+    stages: Vec<Stage<S, F>>,
+    trace: &Happened<S>,
+    moment: f64,
+) -> Vec<Stage<S, F>> {
     let mut stages = stages;
     for run in runs(&stages, trace) {
         put_in_one(&mut stages, trace, &run);
@@ -35,9 +59,13 @@ pub(crate) fn fold(stages: Vec<Stage>, trace: &Trace, moment: f64) -> Vec<Stage>
 }
 
 /// Puts the stages of a run of strikes in one, where they are many or have a limit.
-fn put_in_one(stages: &mut Vec<Stage>, trace: &Trace, run: &RangeInclusive<usize>) {
+fn put_in_one<S: Copy, F: Clone>(
+    stages: &mut Vec<Stage<S, F>>,
+    trace: &Happened<S>,
+    run: &RangeInclusive<usize>,
+) {
     if let Some(clatter) = clatter(stages, trace, run) {
-        let inside = |s: &Stage| s.start_time >= clatter.start_time && s.end_time <= clatter.end_time;
+        let inside = |s: &Stage<S, F>| s.start_time >= clatter.start_time && s.end_time <= clatter.end_time;
         let at = stages.iter().position(|s| s.start_time >= clatter.start_time).unwrap_or(stages.len());
         stages.retain(|s| !inside(s));
         stages.insert(at, clatter);
@@ -45,10 +73,10 @@ fn put_in_one(stages: &mut Vec<Stage>, trace: &Trace, run: &RangeInclusive<usize
 }
 
 /// Runs of many strikes, by number, with nothing but specks between them; the first strike on each obstacle stands alone.
-fn rattles(stages: &[Stage], trace: &Trace, moment: f64) -> Vec<RangeInclusive<usize>> {
-    let impacts = &trace.impacts;
-    let is_first = |k: usize| impacts.iter().position(|i| obstacle(i) == obstacle(&impacts[k])) == Some(k);
-    let speck = |s: &Stage| s.name == StageName::Clatter || s.end_time - s.start_time <= moment;
+fn rattles<S, F>(stages: &[Stage<S, F>], trace: &Happened<S>, moment: f64) -> Vec<RangeInclusive<usize>> {
+    let impacts = &trace.strikes;
+    let is_first = |k: usize| impacts.iter().position(|i| i.obstacle == impacts[k].obstacle) == Some(k);
+    let speck = |s: &Stage<S, F>| s.name == StageName::Clatter || s.end_time - s.start_time <= moment;
     let goes_on = |k: usize| between(stages, &impacts[k], &impacts[k + 1]).all(speck) && !is_first(k + 1);
     let mut runs = vec![];
     let mut first = 0;
@@ -63,31 +91,31 @@ fn rattles(stages: &[Stage], trace: &Trace, moment: f64) -> Vec<RangeInclusive<u
     runs
 }
 
-fn obstacle(impact: &Impact) -> Option<usize> {
-    impact.contacts.first().map(|contact| contact.obstacle)
-}
-
 /// The stages between two strikes.
-fn between<'s>(stages: &'s [Stage], from: &Impact, to: &Impact) -> impl Iterator<Item = &'s Stage> {
+fn between<'s, S, F>(
+    stages: &'s [Stage<S, F>],
+    from: &Strike<S>,
+    to: &Strike<S>,
+) -> impl Iterator<Item = &'s Stage<S, F>> {
     let (from, to) = (from.time, to.time);
     stages.iter().filter(move |s| s.start_time >= from && s.end_time <= to)
 }
 
 /// Limit of the series that was closed after strike `k`; without one, the time of the strike [s].
-fn limit(trace: &Trace, k: usize) -> f64 {
-    let Some(impact) = trace.impacts.get(k) else { return f64::INFINITY };
-    let next = trace.impacts.get(k + 1).map_or(f64::INFINITY, |next| next.time);
+fn limit<S>(trace: &Happened<S>, k: usize) -> f64 {
+    let Some(impact) = trace.strikes.get(k) else { return f64::INFINITY };
+    let next = trace.strikes.get(k + 1).map_or(f64::INFINITY, |next| next.time);
     let closes = |(from, to): &&(f64, f64)| *from <= impact.time && impact.time <= *to && *to < next;
-    trace.accumulations.iter().find(closes).map_or(impact.time, |(_, to)| *to)
+    trace.series.iter().find(closes).map_or(impact.time, |(_, to)| *to)
 }
 
 /// Runs of strikes, by number, with only short stages between them; the first strike on an obstacle stands alone.
-fn runs(stages: &[Stage], trace: &Trace) -> Vec<RangeInclusive<usize>> {
-    let impacts = &trace.impacts;
-    let bounces = |s: &Stage| matches!(s.name, StageName::Flight | StageName::Swing | StageName::Stick);
+fn runs<S, F>(stages: &[Stage<S, F>], trace: &Happened<S>) -> Vec<RangeInclusive<usize>> {
+    let impacts = &trace.strikes;
+    let bounces = |s: &Stage<S, F>| matches!(s.name, StageName::Flight | StageName::Swing | StageName::Stick);
     let goes_on = |k: usize| {
         let (this, next) = (&impacts[k], &impacts[k + 1]);
-        obstacle(this) == obstacle(next) && between(stages, this, next).all(bounces)
+        this.obstacle == next.obstacle && between(stages, this, next).all(bounces)
     };
     let mut runs = vec![];
     let mut first = 0;
@@ -96,7 +124,7 @@ fn runs(stages: &[Stage], trace: &Trace) -> Vec<RangeInclusive<usize>> {
         let whole = limit(trace, last) - impacts[first].time;
         let mut from = first + 1;
         for k in first + 1..=last {
-            let long = |s: &Stage| s.end_time - s.start_time > LONG * whole;
+            let long = |s: &Stage<S, F>| s.end_time - s.start_time > LONG * whole;
             if k == last || between(stages, &impacts[k], &impacts[k + 1]).any(long) {
                 runs.push(from..=k);
                 from = k + 1;
@@ -108,37 +136,41 @@ fn runs(stages: &[Stage], trace: &Trace) -> Vec<RangeInclusive<usize>> {
 }
 
 /// The stage of a run of strikes; `None` where they are few and end.
-fn clatter(stages: &[Stage], trace: &Trace, run: &RangeInclusive<usize>) -> Option<Stage> {
-    let impacts = trace.impacts.get(run.clone())?;
+fn clatter<S: Copy, F: Clone>(
+    stages: &[Stage<S, F>],
+    trace: &Happened<S>,
+    run: &RangeInclusive<usize>,
+) -> Option<Stage<S, F>> {
+    let impacts = trace.strikes.get(run.clone())?;
     let (first, last) = (impacts.first()?, impacts.last()?);
     let end_time = limit(trace, *run.end());
     // A series that was closed at its limit goes on to it after the last strike that was followed.
-    let series = trace.accumulations.iter().any(|(_, to)| first.time <= *to && *to <= end_time);
+    let series = trace.series.iter().any(|(_, to)| first.time <= *to && *to <= end_time);
     if !series && impacts.len() < MANY {
         return None;
     }
     let pieces: Vec<usize> = (0..trace.pieces.len())
-        .filter(|i| trace.pieces[*i].start_time >= first.time && trace.pieces[*i].end_time <= end_time)
+        .filter(|i| trace.pieces[*i][0] >= first.time && trace.pieces[*i][1] <= end_time)
         .collect();
-    let start_piece = trace.pieces.iter().position(|p| p.start_time >= first.time);
+    let start_piece = trace.pieces.iter().position(|[start, _]| *start >= first.time);
     let from = start_piece.unwrap_or(trace.pieces.len());
     let next = stages.iter().find(|s| s.start_time >= end_time && s.start_time > first.time);
     let end = match next {
         Some(next) => next.start,
-        None => State { pose: last.pose, twist: last.after },
+        None => last.after,
     };
     let mut struck = vec![];
-    for on in impacts.iter().filter_map(obstacle) {
+    for on in impacts.iter().filter_map(|strike| strike.obstacle) {
         if !struck.contains(&on) {
             struck.push(on);
         }
     }
     Some(Stage {
         name: StageName::Clatter,
-        obstacle: obstacle(first),
+        obstacle: first.obstacle,
         start_time: first.time,
         end_time,
-        start: State { pose: first.pose, twist: first.before },
+        start: first.before,
         end,
         ended_by: StageEnd::Strikes { count: impacts.len(), obstacles: struck, limit: series },
         pieces: from..pieces.last().map_or(from, |last| last + 1),
@@ -148,48 +180,7 @@ fn clatter(stages: &[Stage], trace: &Trace, run: &RangeInclusive<usize>) -> Opti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use carom_impact::Law;
-    use carom_impact::planar::ContactState;
-    use carom_motion::planar::trace::{ContactVelocity, ImpactContact};
-    use carom_motion::planar::{Feature, Pose, Twist};
-    use carom_num::Vec2;
-
-    fn impact(time: f64, obstacle: usize) -> Impact {
-        let still = ContactVelocity { slip: 0.0, normal: 0.0 };
-        let contact = ImpactContact {
-            obstacle,
-            feature: Feature::VertexOnFace { vertex: 0, face: 0 },
-            point: Vec2::ZERO,
-            normal: Vec2::new(0.0, 1.0),
-            friction: 0.0,
-            restitution: 0.0,
-            before: still,
-            after: still,
-            state: ContactState::Separates,
-            normal_impulse: 0.0,
-            tangential_impulse: 0.0,
-            normal_work: 0.0,
-            tangential_work: 0.0,
-        };
-        Impact {
-            time,
-            pose: Pose::default(),
-            before: Twist::default(),
-            after: Twist::default(),
-            law: Law::Poisson,
-            kind: None,
-            without_approach: false,
-            branches: 1,
-            open_share: false,
-            contacts: vec![contact],
-            stages: vec![],
-            energy_before: 0.0,
-            energy_after: 0.0,
-            gained_energy: false,
-            restitution_scaled: 1.0,
-            holding_would_need: None,
-        }
-    }
+    use carom_motion::planar::{Pose, State, Twist};
 
     /// Strikes at these times on these obstacles, with nothing but flights between them, folded; names and ends of what is left.
     fn folded(strikes: &[(f64, usize)], moment: f64) -> Vec<(StageName, f64, f64, StageEnd)> {
@@ -205,8 +196,14 @@ mod tests {
             ended_by: StageEnd::FliesAway,
             pieces: 0..0,
         };
-        let impacts = strikes.iter().map(|(time, obstacle)| impact(*time, *obstacle)).collect();
-        let trace = Trace { pieces: vec![], impacts, accumulations: vec![] };
+        let strike = |(time, obstacle): &(f64, usize)| Strike {
+            time: *time,
+            obstacle: Some(*obstacle),
+            before: still,
+            after: still,
+        };
+        let all = strikes.iter().map(strike).collect();
+        let trace = Happened { pieces: vec![], strikes: all, series: vec![] };
         let stages = fold(strikes.windows(2).map(flight).collect(), &trace, moment);
         stages.into_iter().map(|s| (s.name, s.start_time, s.end_time, s.ended_by)).collect()
     }

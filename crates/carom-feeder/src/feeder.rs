@@ -135,6 +135,11 @@ pub enum FeederProblem {
         /// What is wrong.
         why: &'static str,
     },
+    /// Of all that stands there no world can be made.
+    World {
+        /// What is wrong.
+        why: String,
+    },
     /// No plates.
     NoPlates,
 }
@@ -146,6 +151,7 @@ impl fmt::Display for FeederProblem {
             Self::NoLength { path } => write!(f, "{path} has no length"),
             Self::CrossesStart { path } => write!(f, "{path} crosses the part where it starts"),
             Self::Form { path, why } => write!(f, "{path}: {why}"),
+            Self::World { why } => f.write_str(why),
             Self::NoPlates => write!(f, "a feeder needs at least one plate"),
         }
     }

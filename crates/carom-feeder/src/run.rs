@@ -116,32 +116,32 @@ pub enum StageName {
 
 /// A feature of the part on an obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch {
+pub struct Touch<F = Feature> {
     /// Number of the obstacle: plates first, then walls, then the parts of a feed.
     pub obstacle: usize,
     /// The features that touch.
-    pub feature: Feature,
+    pub feature: F,
 }
 
 /// Why a stage ended: what came to zero, and where.
 #[derive(Clone, Debug, PartialEq)]
-pub enum StageEnd {
+pub enum StageEnd<F = Feature> {
     /// A gap closed.
-    Touches(Touch),
+    Touches(Touch<F>),
     /// The part lay down on an obstacle that it touched already.
-    LiesDown(Touch),
+    LiesDown(Touch<F>),
     /// The normal force came to zero on a part that slid: its centre is at an edge.
-    CentreAtEdge(Touch),
+    CentreAtEdge(Touch<F>),
     /// The normal force came to zero.
-    LiftsOff(Touch),
+    LiftsOff(Touch<F>),
     /// A slip came to zero.
-    SlipStops(Touch),
+    SlipStops(Touch<F>),
     /// Friction held as much as it can.
-    FrictionGivesWay(Touch),
+    FrictionGivesWay(Touch<F>),
     /// A contact came to the end of its features.
-    RunsOff(Touch),
+    RunsOff(Touch<F>),
     /// A normal force grew without bound: Painlevé's paradox.
-    Painleve(Touch),
+    Painleve(Touch<F>),
     /// Nothing changes any more.
     Rests,
     /// It flies and can meet nothing any more.
@@ -191,16 +191,16 @@ pub enum JamKind {
 
 /// Between what a part jammed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Jam {
+pub struct Jam<F = Feature> {
     /// Which of the two it is.
     pub kind: JamKind,
     /// The contacts that hold it, or that no impact resolves.
-    pub contacts: Vec<Touch>,
+    pub contacts: Vec<Touch<F>>,
 }
 
 /// One stage of the table: neighbouring pieces of the trace with one name on one plate.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stage {
+pub struct Stage<S = State, F = Feature> {
     /// Its name.
     pub name: StageName,
     /// The obstacle it happens on: plates first, then walls; `None` in flight.
@@ -210,11 +210,11 @@ pub struct Stage {
     /// End [s].
     pub end_time: f64,
     /// Pose and velocity at the start.
-    pub start: State,
+    pub start: S,
     /// Pose and velocity at the end.
-    pub end: State,
+    pub end: S,
     /// Why it ended.
-    pub ended_by: StageEnd,
+    pub ended_by: StageEnd<F>,
     /// Its pieces: a range of `trace.pieces`.
     pub pieces: std::ops::Range<usize>,
 }

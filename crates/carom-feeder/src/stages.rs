@@ -1,17 +1,32 @@
 //! The names of what happened: neighbouring pieces of the trace with one name on one obstacle are one stage.
 
-use crate::clatter::{fold, moment};
+use crate::clatter::{Happened, Strike, fold, moment};
 use crate::feeder::Feeder;
 use crate::run::{Stage, StageEnd, StageName, Touch};
 use carom_impact::planar::Slip;
-use carom_motion::planar::trace::{HeldContact, Piece, PieceEnd, Trace};
-use carom_motion::planar::{Feature, Obstacle};
+use carom_motion::planar::trace::{HeldContact, Impact, Piece, PieceEnd, Trace};
+use carom_motion::planar::{Feature, Obstacle, State};
 
 /// The stages of a trace: what takes no time is none, and many strikes in a row are one.
 pub(crate) fn stages(feeder: &Feeder, obstacles: &[Obstacle], trace: &Trace) -> Vec<Stage> {
     let mut stages = by_name(feeder, obstacles, trace);
     stages.retain(|stage| stage.end_time > stage.start_time || stage.name == StageName::Rest);
-    fold(stages, trace, moment(feeder))
+    fold(stages, &happened(trace), moment(feeder.part.body.shape.size(), feeder.gravity))
+}
+
+/// What folding looks at.
+fn happened(trace: &Trace) -> Happened<State> {
+    let strike = |impact: &Impact| Strike {
+        time: impact.time,
+        obstacle: impact.contacts.first().map(|contact| contact.obstacle),
+        before: State { pose: impact.pose, twist: impact.before },
+        after: State { pose: impact.pose, twist: impact.after },
+    };
+    Happened {
+        strikes: trace.impacts.iter().map(strike).collect(),
+        pieces: trace.pieces.iter().map(|piece| [piece.start_time, piece.end_time]).collect(),
+        series: trace.accumulations.clone(),
+    }
 }
 
 fn by_name(feeder: &Feeder, obstacles: &[Obstacle], trace: &Trace) -> Vec<Stage> {

@@ -18,3 +18,11 @@ pub(crate) const BEHIND_WALL: f64 = 1e-6;
 pub(crate) const SAME_LENGTH: f64 = 1e-9;
 /// Sine of an angle between two stretches of a bent sheet below which they go on smoothly: rounding of a drawing's digits.
 pub(crate) const SMOOTH_BEND: f64 = 1e-5;
+/// Unit normals of two faces whose sum is no longer than this look opposite ways: rounding of a drawing's digits.
+pub(crate) const OPPOSITE: f64 = 1e-6;
+/// A face lies on a plate whose normal differs by no more than this from that of the face, as a unit vector: contacts are met to 1e-12 of the part.
+pub(crate) const FLAT_FACE: f64 = 1e-6;
+/// Contacts are on one line where no triangle of them has an area above this share of the square of the part's reach.
+pub(crate) const ON_ONE_LINE: f64 = 1e-6;
+/// Sizes of the part that a plate or wall across the drawing is wide where the drawing gives no width.
+pub(crate) const WIDE: f64 = 2000.0;

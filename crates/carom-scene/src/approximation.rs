@@ -16,6 +16,8 @@ use serde::Serialize;
 pub enum ApproximationKind {
     /// Straight chords in place of curves, or corners left out.
     Chords,
+    /// The convex hull in place of a surface with hollows.
+    ConvexHull,
 }
 
 /// One way in which the computed part differs from the drawn one.
@@ -35,11 +37,22 @@ pub struct Approximation {
     /// What is approximated: `part`.
     #[schemars(extend("const" = "part"))]
     pub of: &'static str,
-    /// How far it differs: the greatest distance from the outline.
+    /// How far it differs: of chords the greatest distance from the outline, of a hull the share of it that the part does not fill.
     pub amount: f64,
-    /// Unit of the amount: `m`.
-    #[schemars(extend("const" = "m"))]
+    /// Unit of the amount: `m` of chords, `1` of a hull.
+    #[schemars(extend("enum" = ["m", "1"]))]
     pub unit: &'static str,
     /// The same in a sentence.
     pub text: String,
+}
+
+impl Approximation {
+    /// Of a surface whose hull touches in its place; `empty` is the share of the hull that it does not fill.
+    pub(crate) fn hull_of_surface(empty: f64) -> Self {
+        let text = format!(
+            "the part touches with its convex hull: {:.1} % of the hull is hollow; mass and inertia are those of the part itself",
+            100.0 * empty
+        );
+        Self { kind: ApproximationKind::ConvexHull, of: "part", amount: empty, unit: "1", text }
+    }
 }

@@ -35,7 +35,7 @@ pub(crate) struct Assembled {
 }
 
 /// What the engine finds that the file does not say in these words.
-fn engine_problems(error: RunError, drawn: &[PlateDrawing]) -> Vec<Problem> {
+pub(crate) fn engine_problems(error: RunError, drawn: &[PlateDrawing]) -> Vec<Problem> {
     let problem = |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, None);
     match error {
         RunError::Problems(found) => found
@@ -63,6 +63,7 @@ fn engine_problems(error: RunError, drawn: &[PlateDrawing]) -> Vec<Problem> {
                     let span = of_path(drawn, &path).map(|plate| plate.span.clone());
                     Problem::new(ProblemKind::Geometry, path, "crosses the part where it starts", span)
                 }
+                FeederProblem::World { why } => problem("", why),
                 FeederProblem::NoPlates => problem("plate", found.to_string()),
             })
             .collect(),
@@ -178,14 +179,22 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
     }
 }
 
+/// The plates in their places, of a drawing without a zig-zag; a part's run on the first plate and its size are so long together \[m\].
+pub(crate) fn laid_out(drawing: &Drawing, part: f64) -> (Option<Vec<Placed>>, Vec<Problem>) {
+    let yard = Yard { channel: drawing.channel.as_ref(), part };
+    let (placed, problems) = yard.place_all(&drawing.plates.iter().map(Some).collect::<Vec<_>>());
+    (placed.into_iter().collect(), problems)
+}
+
 /// What is taken for contacts that are known by the names of their materials.
-fn contact_notes(drawing: &Drawing) -> Vec<String> {
-    let Drawing { contact, channel, plates, zigzag, walls, feed, .. } = drawing;
+pub(crate) fn contact_notes(drawing: &Drawing) -> Vec<String> {
+    let Drawing { contact, channel, groove, plates, zigzag, walls, feed, .. } = drawing;
     let mut found: Vec<String> = contact.named.iter().map(|named| named.told("contact")).collect();
     let mut tell = |path: String, surface: &Surface| {
         found.extend(surface.named.map(|named| named.told(&format!("{path}.contact"))));
     };
     channel.iter().for_each(|channel| tell("channel".into(), &channel.surface));
+    groove.iter().for_each(|groove| tell("groove".into(), &groove.surface));
     plates.iter().for_each(|plate| tell(format!("plate.{}", plate.name), &plate.surface));
     zigzag.iter().for_each(|zigzag| tell("zigzag".into(), &zigzag.surface));
     walls.iter().for_each(|wall| tell(format!("wall.{}", wall.name), &wall.surface));
@@ -194,13 +203,13 @@ fn contact_notes(drawing: &Drawing) -> Vec<String> {
 }
 
 /// Friction and restitution of a surface: its own, else the contact's.
-fn surface_of(drawing: &Drawing, surface: &Surface) -> (f64, f64) {
+pub(crate) fn surface_of(drawing: &Drawing, surface: &Surface) -> (f64, f64) {
     let friction = surface.friction.as_ref().or(drawing.contact.friction.as_ref());
     let restitution = surface.restitution.as_ref().unwrap_or(&drawing.contact.restitution);
     (friction.map_or(0.0, |friction| friction.value), restitution.value)
 }
 
-fn plate(drawing: &Drawing, drawn: &PlateDrawing, placed: &Placed) -> Plate {
+pub(crate) fn plate(drawing: &Drawing, drawn: &PlateDrawing, placed: &Placed) -> Plate {
     let (friction, restitution) = surface_of(drawing, &drawn.surface);
     Plate {
         name: drawn.name.clone(),
@@ -230,7 +239,7 @@ fn wall_course(wall: &WallDrawing) -> Option<(Vec2, Vec2, Form)> {
     Some((from, to, form(course, wall.edge_radius.as_ref())))
 }
 
-fn walls(drawing: &Drawing, placed: &[Placed], part: f64) -> Vec<Wall> {
+pub(crate) fn walls(drawing: &Drawing, placed: &[Placed], part: f64) -> Vec<Wall> {
     let mut walls: Vec<Wall> = drawing
         .walls
         .iter()

@@ -140,6 +140,9 @@ pub(crate) struct StartDrawing {
     pub(crate) speed: Quantity,
     pub(crate) faces: StartFaces,
     pub(crate) face_span: Option<Range<usize>>,
+    /// Of a part in space: its turn on the plate, and how far it is from the middle.
+    pub(crate) turn: Option<Quantity>,
+    pub(crate) aside: Option<Quantity>,
 }
 
 /// Friction and restitution where they are a plate's own.
@@ -208,6 +211,10 @@ pub(crate) struct PlateDrawing {
     pub(crate) name: String,
     pub(crate) place: Place,
     pub(crate) edge_radius: Option<Quantity>,
+    /// In space.
+    pub(crate) width: Option<Quantity>,
+    pub(crate) roll: Option<Quantity>,
+    pub(crate) side_walls: Option<Quantity>,
     pub(crate) surface: Surface,
     pub(crate) want: Option<Want>,
     pub(crate) span: Range<usize>,
@@ -331,6 +338,8 @@ pub(crate) struct Drawing {
     pub(crate) contact: ContactDrawing,
     pub(crate) start: StartDrawing,
     pub(crate) channel: Option<ChannelDrawing>,
+    /// Walls beside the drawing, in space.
+    pub(crate) groove: Option<ChannelDrawing>,
     pub(crate) plates: Vec<PlateDrawing>,
     pub(crate) zigzag: Option<ZigzagDrawing>,
     pub(crate) walls: Vec<WallDrawing>,

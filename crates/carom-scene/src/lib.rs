@@ -78,6 +78,7 @@ mod run_impact_report;
 mod run_report;
 mod scene;
 pub mod schema;
+mod space;
 mod start;
 mod suggest;
 mod sweep_report;
@@ -147,6 +148,10 @@ pub use run_end_report::*;
 pub use run_impact_report::*;
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
+pub use space::{
+    AnyScene, SolidFaceReport, SpaceContactReport, SpaceExitReport, SpaceImpactReport, SpaceRunReport,
+    SpaceScene, SpaceStageReport, SpaceStateReport,
+};
 pub use suggest::nearest;
 pub use sweep_report::*;
 pub use variants::Variants;

@@ -74,6 +74,8 @@ pub(crate) fn build_part(drawing: &PartDrawing) -> Result<Built, Vec<Problem>> {
             take(solid)
         }
         Outline::Library(part) => take(part.solid(&drawing.span)?),
+        // It is followed in space.
+        Outline::Solid(_) => return Err(vec![]),
     };
     let mut properties = own.unwrap_or_else(|| MassProperties::of(&shape));
     let mut shape = shape;

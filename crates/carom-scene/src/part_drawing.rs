@@ -4,6 +4,8 @@ use crate::chain::ChainDrawing;
 use crate::library::LibraryPart;
 use crate::outline::FileOutline;
 use crate::quantity::Quantity;
+use crate::roll::spatial::ThrownShape;
+use carom_num::{Mat3, Vec3};
 use std::ops::Range;
 
 /// What a part looks like from the side.
@@ -47,6 +49,27 @@ carom_words::words! {
     }
 }
 
+/// The shape of a part in space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SolidWord {
+    Solid,
+}
+
+carom_words::words! {
+    SolidWord {
+        Solid = "solid",
+    }
+}
+
+/// A solid, in the axes of its drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SolidDrawing {
+    pub(crate) shape: ThrownShape,
+    /// Of a part that is not uniform: mass centre \[m\] and inertia about it [kg m²].
+    pub(crate) centre: Option<Vec3>,
+    pub(crate) inertia: Option<Mat3>,
+}
+
 /// The outline of the part.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Outline {
@@ -57,6 +80,7 @@ pub(crate) enum Outline {
     Disc { radius: Quantity },
     File { drawn: FileOutline, scale: Quantity },
     Library(Box<LibraryPart>),
+    Solid(Box<SolidDrawing>),
 }
 
 /// Mass, or what it follows from.

@@ -25,6 +25,9 @@ pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
             name,
             place: read_place(&section, i == 0)?,
             edge_radius: section.quantity("edge_radius"),
+            width: section.quantity("width"),
+            roll: section.quantity_if_known("roll"),
+            side_walls: section.quantity_if_known("side_walls"),
             surface: read_surface(&section),
             want: read_want(&section),
             span: section.span(),
@@ -207,8 +210,8 @@ pub(crate) fn read_feed(root: &Section<'_>) -> Option<FeedDrawing> {
     })
 }
 
-/// Reads `[channel]`.
-pub(crate) fn read_channel(root: &Section<'_>) -> Option<ChannelDrawing> {
-    let section = root.section("channel")?;
+/// Reads `[channel]` or `[groove]`.
+pub(crate) fn read_channel(root: &Section<'_>, key: &str) -> Option<ChannelDrawing> {
+    let section = root.section(key)?;
     Some(ChannelDrawing { width: section.quantity("width")?, surface: read_surface(&section) })
 }

@@ -1,6 +1,6 @@
 //! A whole scene: holds it to its grammar, reads every table, then lays it out.
 
-use crate::assemble::{Assembled, Readable, assemble, problems_of};
+use crate::assemble::{Readable, problems_of};
 use crate::drawing::{Drawing, PartDrawing, Place, PlateDrawing, StartDrawing, WallDrawing};
 use crate::grammar::{Section, Sink, check, scene::SCENE};
 use crate::input::Beside;
@@ -10,6 +10,7 @@ use crate::quantity::Kind;
 use crate::read_design::read_design;
 use crate::read_part::{read_contact, read_part};
 use crate::read_plate::{read_channel, read_feed, read_plates, read_walls, read_zigzag};
+use crate::space::{is_in_space, read_solid};
 use crate::start::read_start;
 
 /// The longest length that a plain number may be [m]: a feeder has no part, plate or drop so long, and whoever forgets the unit of
@@ -17,7 +18,13 @@ use crate::start::read_start;
 pub(crate) const LONGEST_PLAIN: f64 = 5.0;
 
 /// Reads a scene from its tree; the files that it names are looked for beside it.
-pub(crate) fn read_scene(tree: &Node, beside: Beside<'_>) -> Result<(Drawing, Assembled), Vec<Problem>> {
+///
+/// `assemble` lays out what is drawn: in the plane or in space.
+pub(crate) fn read_scene<A>(
+    tree: &Node,
+    beside: Beside<'_>,
+    assemble: impl Fn(&Drawing) -> Result<A, Vec<Problem>>,
+) -> Result<(Drawing, A), Vec<Problem>> {
     let sink = Sink::with_longest_plain(LONGEST_PLAIN);
     let root = check(&SCENE, tree, &sink).and_then(|table| Section::new(table, String::new(), tree, &sink));
     let Some(root) = root else { return Err(sink.into_list()) };
@@ -48,14 +55,16 @@ fn known_kinds(drawing: &Drawing) -> Vec<(String, Kind)> {
 
 /// Everything but `[design]`; `None` where a table has problems that leave it unknown.
 fn read_drawing(root: &Section<'_>, beside: Beside<'_>) -> Option<Drawing> {
-    let part = read_part(root, beside);
+    let part = if is_in_space(root) { read_solid(root, beside) } else { read_part(root, beside) };
     let start = read_start(root);
-    let channel = read_channel(root);
+    let [channel, groove] = ["channel", "groove"].map(|key| read_channel(root, key));
     let plates = read_plates(root);
     let zigzag = read_zigzag(root);
     let walls = read_walls(root);
     let feed = read_feed(root);
-    let broken = (root.has("channel") && channel.is_none()) || (root.has("zigzag") && zigzag.is_none());
+    let broken = (root.has("channel") && channel.is_none())
+        || (root.has("groove") && groove.is_none())
+        || (root.has("zigzag") && zigzag.is_none());
     let complete = complete(part.as_ref(), start.as_ref(), &plates, &walls);
     // Without a plate there is nothing to lay out, which is told already.
     let empty = plates.is_empty() && zigzag.is_none();
@@ -67,6 +76,7 @@ fn read_drawing(root: &Section<'_>, beside: Beside<'_>) -> Option<Drawing> {
             contact: read_contact(root),
             start,
             channel,
+            groove,
             plates,
             zigzag,
             walls,

@@ -1,6 +1,7 @@
 //! Why stages end, what the tightest decision was about and between what a part jams, as JSON.
 
-use carom_feeder::{Decided, Feeder, Jam, JamKind, StageEnd, Touch};
+use carom_feeder::{Decided, Jam, JamKind, StageEnd, Touch};
+use carom_words::part::Names;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -186,7 +187,7 @@ pub struct JamReport {
     pub contacts: Vec<TouchReport>,
 }
 
-pub(crate) fn jam_report(feeder: &Feeder, jam: &Jam) -> JamReport {
+pub(crate) fn jam_report<N: Names>(feeder: &N, jam: &Jam<N::Feature>) -> JamReport {
     let kind = match jam.kind {
         JamKind::Wedged => JamReportKind::Wedged,
         JamKind::Unresolved => JamReportKind::Unresolved,
@@ -203,17 +204,14 @@ pub(crate) fn decided_report(decided: Decided) -> DecidedReport {
     DecidedReport { kind, t_s }
 }
 
-fn touch_report(feeder: &Feeder, touch: &Touch) -> TouchReport {
-    TouchReport {
-        plate: feeder.obstacle_name(touch.obstacle).to_owned(),
-        feature: carom_words::part::feature(feeder, touch.feature),
-    }
+fn touch_report<N: Names>(feeder: &N, touch: &Touch<N::Feature>) -> TouchReport {
+    TouchReport { plate: feeder.given(touch.obstacle).to_owned(), feature: feeder.part_of(&touch.feature) }
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a count of strikes is small")]
-pub(crate) fn stage_end_report(feeder: &Feeder, end: &StageEnd) -> StageEndReport {
+pub(crate) fn stage_end_report<N: Names>(feeder: &N, end: &StageEnd<N::Feature>) -> StageEndReport {
     use WatchedQuantity as Quantity;
-    let at = |kind, touch: &Touch, (quantity, unit)| StageEndReport {
+    let at = |kind, touch: &Touch<N::Feature>, (quantity, unit)| StageEndReport {
         kind,
         contact: Some(touch_report(feeder, touch)),
         quantity: Some(quantity),
@@ -252,7 +250,7 @@ pub(crate) fn stage_end_report(feeder: &Feeder, end: &StageEnd) -> StageEndRepor
             quantity: Some(Quantity::Strikes),
             amount: Some(*count as f64),
             unit: Some(AmountUnit::One),
-            plates: obstacles.iter().map(|o| feeder.obstacle_name(*o).to_owned()).collect(),
+            plates: obstacles.iter().map(|o| feeder.given(*o).to_owned()).collect(),
             ..alone(if *limit { StageEndKind::StrikesToLimit } else { StageEndKind::Strikes })
         },
     }

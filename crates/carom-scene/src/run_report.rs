@@ -11,6 +11,7 @@ use crate::wanted::Wanted;
 use crate::word::Word;
 use carom_feeder::{Exit, Feeder, Landing, Outcome, PartKind, Run, Stage, StageName, Verdict};
 use carom_motion::planar::State;
+use carom_words::part::Names;
 use carom_words::run as run_words;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -304,15 +305,23 @@ pub fn exit_report(exit: &Exit) -> ExitReport {
 
 pub(crate) fn plate_report(feeder: &Feeder, landing: &Landing) -> PlateReport {
     let by_number = matches!(feeder.part.kind, PartKind::Polygon | PartKind::Disc);
+    let told = landing_report(feeder, landing);
     let verdict = match landing.verdict {
         Some(_) if by_number => landing.face.map(VerdictReport::Face),
-        Some(Verdict::Same) => Some(VerdictReport::Word(SideReport::Same)),
-        Some(Verdict::Turned) => Some(VerdictReport::Word(SideReport::Turned)),
-        Some(Verdict::Face(face)) => Some(VerdictReport::Face(face)),
-        None => None,
+        _ => told.verdict,
     };
+    PlateReport { verdict, ..told }
+}
+
+/// A landing of a part whose faces are told as the same, turned, or by their numbers.
+pub(crate) fn landing_report(feeder: &impl Names, landing: &Landing) -> PlateReport {
+    let verdict = landing.verdict.map(|verdict| match verdict {
+        Verdict::Same => VerdictReport::Word(SideReport::Same),
+        Verdict::Turned => VerdictReport::Word(SideReport::Turned),
+        Verdict::Face(face) => VerdictReport::Face(face),
+    });
     PlateReport {
-        plate: feeder.obstacle_name(landing.plate).to_owned(),
+        plate: feeder.given(landing.plate).to_owned(),
         verdict,
         turned_here: landing.turned_here,
         face: landing.face,

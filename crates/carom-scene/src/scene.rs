@@ -93,17 +93,7 @@ impl Scene {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn read(path: &Path) -> Result<Self, Problems> {
-        let file = path.display().to_string();
-        match crate::input::text(path) {
-            Ok(source) => Self::parse(&file, &source),
-            Err(error) => {
-                let message = match error.kind() {
-                    std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                    _ => error.to_string(),
-                };
-                Err(Problems::new(&file, "", vec![Problem::new(ProblemKind::File, "", message, None)]))
-            }
-        }
+        Self::parse(&path.display().to_string(), &source_of(path)?)
     }
 
     /// Reads a scene's text; `file` is the name its problems are reported under, and its folder is where an outline's file is looked for.
@@ -139,15 +129,17 @@ impl Scene {
             let problem = Problem::new(ProblemKind::File, "", "the file is empty", None);
             return Err(fail(vec![problem.with_help("`carom new` writes a scene to start from")]));
         }
+        if let Some(problem) = crate::space::refused_in_the_plane(&tree) {
+            return Err(fail(vec![problem]));
+        }
         let folder = Path::new(file).parent().unwrap_or(Path::new(""));
-        let (drawing, assembled) = read_scene(&tree, Beside { folder, files }).map_err(fail)?;
+        let (drawing, assembled) = read_scene(&tree, Beside { folder, files }, assemble).map_err(fail)?;
         Ok(Self { file: file.into(), source: source.into(), drawing, assembled })
     }
 
     /// Its name: the file's, without folder and ending.
     pub fn name(&self) -> &str {
-        let path = Path::new(&*self.file);
-        path.file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
+        name_of(&self.file)
     }
 
     pub(crate) fn file(&self) -> &str {
@@ -228,18 +220,7 @@ impl Scene {
 
     /// Every quantity, in the order of a scene, defaults included.
     pub fn quantities(&self) -> Vec<NamedQuantity> {
-        let mut found = vec![];
-        self.drawing.clone().visit(&mut |path, quantity| {
-            found.push(NamedQuantity {
-                path: path.to_string(),
-                value: quantity.value,
-                kind: quantity.kind,
-                tolerance: quantity.tolerance,
-                written: quantity.span.is_some() || quantity.tolerance.is_some(),
-                span: quantity.span.clone(),
-            });
-        });
-        found
+        quantities(&self.drawing)
     }
 
     /// A path with a plate's number replaced by its name: `plate.1.slope` becomes `plate.lower.slope`.
@@ -285,4 +266,37 @@ impl Scene {
         changed.assembled = assemble(&changed.drawing).map_err(fail)?;
         Ok(changed)
     }
+}
+
+/// The text of a scene's file.
+pub(crate) fn source_of(path: &Path) -> Result<String, Problems> {
+    crate::input::text(path).map_err(|error| {
+        let message = match error.kind() {
+            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+            _ => error.to_string(),
+        };
+        let file = path.display().to_string();
+        Problems::new(&file, "", vec![Problem::new(ProblemKind::File, "", message, None)])
+    })
+}
+
+/// A file's name without folder and ending.
+pub(crate) fn name_of(file: &str) -> &str {
+    Path::new(file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(file)
+}
+
+/// Every quantity of a drawing, in the order of a scene, defaults included.
+pub(crate) fn quantities(drawing: &Drawing) -> Vec<NamedQuantity> {
+    let mut found = vec![];
+    drawing.clone().visit(&mut |path, quantity| {
+        found.push(NamedQuantity {
+            path: path.to_string(),
+            value: quantity.value,
+            kind: quantity.kind,
+            tolerance: quantity.tolerance,
+            written: quantity.span.is_some() || quantity.tolerance.is_some(),
+            span: quantity.span.clone(),
+        });
+    });
+    found
 }

@@ -28,6 +28,8 @@ pub(crate) fn read_start(root: &Section<'_>) -> Option<StartDrawing> {
         speed: section.quantity_or_default("speed")?,
         faces: read_faces(&section)?,
         face_span: section.get("face").map(|node| node.span.clone()),
+        turn: section.quantity_if_known("turn"),
+        aside: section.quantity_if_known("aside"),
     })
 }
 
@@ -98,6 +100,18 @@ impl StartFaces {
         };
         let all: f64 = shares.iter().map(|(_, share)| share).sum();
         shares.into_iter().map(|(face, share)| (face, share / all)).collect()
+    }
+
+    /// The same where the faces are numbered, each with its share.
+    pub(crate) fn most_probable(&self) -> usize {
+        match self {
+            Self::One(face) => *face,
+            // Of equally probable ones the first.
+            Self::Mixed(shares) => {
+                shares.iter().rev().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(face, _)| *face)
+            }
+            Self::Resting => 0,
+        }
     }
 
     /// The face on which the part starts where it is dropped once: the most probable one.

@@ -24,15 +24,35 @@ impl Drawing {
         visitor(format_args!("contact.restitution"), &mut self.contact.restitution);
         visitor(format_args!("start.to_edge"), &mut self.start.to_edge);
         visitor(format_args!("start.speed"), &mut self.start.speed);
+        let start = [("turn", &mut self.start.turn), ("aside", &mut self.start.aside)];
+        for (key, quantity) in start {
+            if let Some(quantity) = quantity {
+                visitor(format_args!("start.{key}"), quantity);
+            }
+        }
         if let Some(channel) = &mut self.channel {
             visitor(format_args!("channel.width"), &mut channel.width);
             visit_surface(format_args!("channel"), &mut channel.surface, visitor);
+        }
+        if let Some(groove) = &mut self.groove {
+            visitor(format_args!("groove.width"), &mut groove.width);
+            visit_surface(format_args!("groove"), &mut groove.surface, visitor);
         }
         for plate in &mut self.plates {
             let name = &plate.name;
             visit_place(format_args!("plate.{name}"), &mut plate.place, visitor);
             if let Some(radius) = &mut plate.edge_radius {
                 visitor(format_args!("plate.{name}.edge_radius"), radius);
+            }
+            let wide = [
+                ("width", &mut plate.width),
+                ("roll", &mut plate.roll),
+                ("side_walls", &mut plate.side_walls),
+            ];
+            for (key, quantity) in wide {
+                if let Some(quantity) = quantity {
+                    visitor(format_args!("plate.{name}.{key}"), quantity);
+                }
             }
             visit_surface(format_args!("plate.{name}"), &mut plate.surface, visitor);
         }
@@ -82,6 +102,7 @@ fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {
         Outline::Disc { radius } => visitor(format_args!("part.radius"), radius),
         Outline::File { scale, .. } => visitor(format_args!("part.scale"), scale),
         Outline::Library(part) => visit_library(part, visitor),
+        Outline::Solid(_) => {}
     }
     if let Some(radius) = &mut part.corner_radius {
         visitor(format_args!("part.corner_radius"), radius);

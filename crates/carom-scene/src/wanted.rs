@@ -2,7 +2,8 @@
 
 use crate::drawing::Want;
 use crate::scene::Scene;
-use carom_feeder::{Run, Verdict};
+use crate::space::SpaceScene;
+use carom_feeder::{Landing, Run, Verdict, spatial};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -33,22 +34,37 @@ pub struct Wanted {
 impl Scene {
     /// Each plate on which something is wanted.
     pub fn wanted(&self, run: &Run) -> Vec<Wanted> {
-        let plates = self.feeder().plates.iter().zip(self.wants()).enumerate();
-        plates
-            .filter_map(|(i, (plate, want))| {
-                let landing = run.landings.iter().find(|landing| landing.plate == i);
-                let verdict = landing.and_then(|landing| landing.verdict);
-                let (want, met) = match want.as_ref()? {
-                    Want::Any => return None,
-                    Want::Same => ("same".to_owned(), verdict == Some(Verdict::Same)),
-                    Want::Turned => ("turned".to_owned(), verdict == Some(Verdict::Turned)),
-                    Want::Face(face) => {
-                        let down = landing.and_then(|landing| landing.face);
-                        (format!("face {face}"), down == Some(*face))
-                    }
-                };
-                Some(Wanted { plate: plate.name.clone(), want, met })
-            })
-            .collect()
+        let names = self.feeder().plates.iter().map(|plate| plate.name.as_str());
+        wanted(names, self.wants(), &run.landings)
     }
+}
+
+impl SpaceScene {
+    /// Each plate on which something is wanted.
+    pub fn wanted(&self, run: &spatial::Run) -> Vec<Wanted> {
+        let names = self.feeder().plates.iter().map(|plate| plate.name.as_str());
+        wanted(names, self.wants(), &run.landings)
+    }
+}
+
+fn wanted<'n>(
+    names: impl Iterator<Item = &'n str>,
+    wants: &[Option<Want>],
+    landings: &[Landing],
+) -> Vec<Wanted> {
+    let of = |(i, (name, want)): (usize, (&str, &Option<Want>))| {
+        let landing = landings.iter().find(|landing| landing.plate == i);
+        let verdict = landing.and_then(|landing| landing.verdict);
+        let (want, met) = match want.as_ref()? {
+            Want::Any => return None,
+            Want::Same => ("same".to_owned(), verdict == Some(Verdict::Same)),
+            Want::Turned => ("turned".to_owned(), verdict == Some(Verdict::Turned)),
+            Want::Face(face) => {
+                let down = landing.and_then(|landing| landing.face);
+                (format!("face {face}"), down == Some(*face))
+            }
+        };
+        Some(Wanted { plate: name.to_owned(), want, met })
+    };
+    names.zip(wants).enumerate().filter_map(of).collect()
 }

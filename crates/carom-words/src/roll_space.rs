@@ -70,6 +70,8 @@ pub enum EndName {
     NoConsistentOutcome,
     /// The law has several ways on, and none was to be chosen.
     SeveralWaysOn,
+    /// It flies, and nothing can carry it any more.
+    FliesAway,
     /// A budget of time, steps or strikes ran out.
     BudgetSpent,
 }
@@ -141,6 +143,7 @@ pub fn end<T: AsRef<str>>(names: &[T], end: Option<End>, [rough, slid]: [bool; 2
         }
         Some(End::Flat { .. }) => "a circle of it lies flat: what its whole rim does is not followed",
         Some(End::Overturned) => "its mass centre has passed over what it stands on: it falls over",
+        Some(End::FliesAway) => "it falls, and nothing can carry it any more",
         Some(End::NoConsistentOutcome(clock)) => match (clock, rough) {
             (Clock::Impact, true) => {
                 "no way through the strike was found: its contacts jam, or hand the load to each other without end"

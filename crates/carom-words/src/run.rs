@@ -1,10 +1,9 @@
 //! The verdict of a run, why its stages end, what decided it and why it failed.
 
 use crate::number::{plain, significant};
-use crate::part::{feature, obstacle};
+use crate::part::{Names, obstacle};
 use crate::{Words, list};
-use carom_feeder::{Decided, Feeder, Jam, JamKind, Outcome, Run, StageEnd, Touch, Verdict};
-use carom_motion::planar::Feature;
+use carom_feeder::{Decided, Feeder, Jam, JamKind, Landing, Outcome, Run, StageEnd, Touch, Verdict, spatial};
 use carom_motion::planar::trace::{Impact, PieceEnd};
 
 /// Which face is down: `same side`, `turned`, `face 2`.
@@ -34,29 +33,64 @@ pub struct Headline {
 
 /// The verdict of a run in a line.
 pub fn headline(feeder: &Feeder, run: &Run) -> Headline {
-    let last = run.landings.last();
-    let verdict = last.and_then(|landing| landing.verdict).map(side);
-    let word = match (run.outcome, verdict) {
+    let plate = match run.outcome {
+        Outcome::NeverFlat if swings(run) => run.stages.last().and_then(|stage| stage.obstacle),
+        outcome => on_plate(outcome, &run.landings, run.stages.last().map(|stage| stage.obstacle)),
+    };
+    let plate = plate.map(|plate| obstacle(feeder, plate));
+    Headline { word: came_out(run.outcome, &run.landings), plate, because: because(feeder, run) }
+}
+
+/// The same of a run in space.
+pub fn headline_in_space(feeder: &spatial::Feeder, run: &spatial::Run) -> Headline {
+    let plate = on_plate(run.outcome, &run.landings, run.stages.last().map(|stage| stage.obstacle));
+    let because = match &run.jam {
+        Some(jam) => jammed(feeder, jam),
+        None => why(run.outcome).to_owned(),
+    };
+    let plate = plate.map(|plate| obstacle(feeder, plate));
+    Headline { word: came_out(run.outcome, &run.landings), plate, because }
+}
+
+/// How it came out.
+fn came_out(outcome: Outcome, landings: &[Landing]) -> String {
+    let verdict = landings.last().and_then(|landing| landing.verdict).map(side);
+    match (outcome, verdict) {
         (Outcome::Landed, verdict) => verdict.unwrap_or("landed".to_owned()),
         (Outcome::Delivered, Some(verdict)) => format!("delivered, {verdict}"),
         (outcome, _) => crate::study::outcome(outcome),
-    };
-    let plate = match run.outcome {
-        Outcome::Landed | Outcome::Delivered => last.map(|landing| landing.plate),
-        Outcome::NeverFlat if swings(run) => run.stages.last().and_then(|stage| stage.obstacle),
+    }
+}
+
+/// The plate that a run came to, where it came to one; with what its last stage was on.
+fn on_plate(outcome: Outcome, landings: &[Landing], last: Option<Option<usize>>) -> Option<usize> {
+    let landed = landings.last().map(|landing| landing.plate);
+    match outcome {
+        Outcome::Landed | Outcome::Delivered => landed,
         // Where it lies now, not where it landed last.
-        Outcome::Stuck | Outcome::OnEnd => match run.stages.last() {
-            Some(stage) => stage.obstacle,
-            None => last.map(|landing| landing.plate).or((!feeder.plates.is_empty()).then_some(0)),
-        },
+        Outcome::Stuck | Outcome::OnEnd => last.unwrap_or_else(|| landed.or(Some(0))),
         Outcome::Jammed
         | Outcome::Missed
         | Outcome::Escaped
         | Outcome::NeverFlat
         | Outcome::Unresolved
         | Outcome::Blocked => None,
-    };
-    Headline { word, plate: plate.map(|plate| obstacle(feeder, plate)), because: because(feeder, run) }
+    }
+}
+
+/// What the word of an outcome means; empty for what did not fail.
+fn why(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Landed | Outcome::Delivered => "",
+        Outcome::Stuck => "friction holds it",
+        Outcome::OnEnd => "it rests on an end",
+        Outcome::Jammed => "it rests wedged",
+        Outcome::Missed => "it fell past the last plate",
+        Outcome::Escaped => "it left the last plate before it lay flat",
+        Outcome::NeverFlat => "the budget of events or time ran out",
+        Outcome::Unresolved => "more contacts met at once than could be resolved",
+        Outcome::Blocked => "another part stood where it starts",
+    }
 }
 
 fn because(feeder: &Feeder, run: &Run) -> String {
@@ -72,19 +106,10 @@ fn because(feeder: &Feeder, run: &Run) -> String {
     if let Some(face) = run.swings_on(feeder) {
         return format!("it swings to and fro on face {face}, and nothing takes energy from it");
     }
-    let because = match run.outcome {
-        Outcome::Landed | Outcome::Delivered => "",
-        Outcome::Stuck => "friction holds it",
-        Outcome::OnEnd => "it rests on an end",
-        Outcome::Jammed => "it rests wedged",
-        Outcome::Missed => "it fell past the last plate",
-        Outcome::Escaped => "it left the last plate before it lay flat",
-        Outcome::NeverFlat if swings(run) => "it swings to and fro, and nothing takes energy from it",
-        Outcome::NeverFlat => "the budget of events or time ran out",
-        Outcome::Unresolved => "more contacts met at once than could be resolved",
-        Outcome::Blocked => "another part stood where it starts",
-    };
-    because.to_owned()
+    if run.outcome == Outcome::NeverFlat && swings(run) {
+        return "it swings to and fro, and nothing takes energy from it".to_owned();
+    }
+    why(run.outcome).to_owned()
 }
 
 /// True where a run ended in a swing without end.
@@ -100,9 +125,9 @@ pub fn swings(run: &Run) -> bool {
     run.stages.last().is_some_and(|stage| stage.ended_by == StageEnd::Swings)
 }
 
-fn jammed(feeder: &Feeder, jam: &Jam) -> String {
-    let on = |touch: &Touch| {
-        format!("{} on “{}”", feature(feeder, touch.feature), obstacle(feeder, touch.obstacle))
+fn jammed<N: Names>(feeder: &N, jam: &Jam<N::Feature>) -> String {
+    let on = |touch: &Touch<N::Feature>| {
+        format!("{} on “{}”", feeder.part_of(&touch.feature), obstacle(feeder, touch.obstacle))
     };
     let contacts: Vec<String> = jam.contacts.iter().map(on).collect();
     let listed = list(&contacts, "its contacts");
@@ -113,8 +138,8 @@ fn jammed(feeder: &Feeder, jam: &Jam) -> String {
 }
 
 /// Why a stage ended: `front touches`, `6 strikes`.
-pub fn stage_end(feeder: &Feeder, end: &StageEnd) -> String {
-    let feature = |touch: &Touch| feature(feeder, touch.feature);
+pub fn stage_end<N: Names>(feeder: &N, end: &StageEnd<N::Feature>) -> String {
+    let feature = |touch: &Touch<N::Feature>| feeder.part_of(&touch.feature);
     match end {
         StageEnd::Touches(touch) => format!("{} touches", feature(touch)),
         StageEnd::LiesDown(_) => "lies down".to_owned(),
@@ -122,7 +147,7 @@ pub fn stage_end(feeder: &Feeder, end: &StageEnd) -> String {
         StageEnd::LiftsOff(_) => "lift-off, N = 0".to_owned(),
         StageEnd::SlipStops(_) => "slip comes to zero".to_owned(),
         StageEnd::FrictionGivesWay(_) => "friction gives way".to_owned(),
-        StageEnd::RunsOff(Touch { feature: Feature::FaceOnEnd { .. }, .. }) => {
+        StageEnd::RunsOff(touch) if feeder.is_over_end(&touch.feature) => {
             "trailing end at the edge".to_owned()
         }
         StageEnd::RunsOff(touch) => format!("{} runs off", feature(touch)),
@@ -137,7 +162,7 @@ pub fn stage_end(feeder: &Feeder, end: &StageEnd) -> String {
 }
 
 /// `6 strikes, ever smaller, then their limit`; on what, where that is several obstacles.
-fn strikes(feeder: &Feeder, count: usize, obstacles: &[usize], limit: bool) -> String {
+fn strikes(feeder: &impl Names, count: usize, obstacles: &[usize], limit: bool) -> String {
     let names: Vec<String> = obstacles.iter().map(|o| obstacle(feeder, *o)).collect();
     let on = if names.len() > 1 { format!(" on {}", list(&names, "")) } else { String::new() };
     match (limit, count) {

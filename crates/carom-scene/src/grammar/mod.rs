@@ -16,6 +16,7 @@ pub(crate) mod roll;
 pub(crate) mod roll_space;
 mod rule_check;
 pub(crate) mod scene;
+mod scene_space;
 pub(crate) mod schema;
 mod section;
 mod value;
@@ -23,6 +24,7 @@ mod value;
 pub(crate) use check::{can_stand_in_paths, check, name_of, variant};
 pub(crate) use draft::comment_of;
 pub(crate) use recognise::{kinds_of_roll, shows_an_impact};
+pub(crate) use rule_check::shows_a_solid;
 pub(crate) use section::{Mixed, Section, Sink, read_checked};
 pub(crate) use value::{out_of_range, quantity as read_quantity};
 
@@ -230,6 +232,8 @@ pub(crate) enum When {
     InSpace(&'static [(&'static str, &'static [&'static str])]),
     /// In this table this key holds a list, and in it a list of three values.
     ListsOfThree(&'static str, &'static str),
+    /// In this table a solid part is described: its shape is "solid", or it has none and a box or an STL file.
+    Solid(&'static str),
     All(&'static [When]),
     /// No other way is taken.
     NoOther,

@@ -34,7 +34,23 @@ pub(super) fn holds(when: When, entries: &[Entry]) -> bool {
             }
             _ => false,
         },
+        When::Solid(table) => matches!(value(table), Some(Value::Table(entries)) if is_solid(entries)),
         When::All(conditions) => conditions.iter().all(|when| holds(*when, entries)),
+    }
+}
+
+/// True of a scene whose part is a solid.
+pub(crate) fn shows_a_solid(entries: &[Entry]) -> bool {
+    holds(super::scene::IN_SPACE, entries)
+}
+
+/// The keys of a part that is a solid.
+fn is_solid(entries: &[Entry]) -> bool {
+    let value = |key: &str| entries.iter().find(|entry| entry.key == key).map(|entry| &entry.node.value);
+    let mesh = |name: &str| name.to_ascii_lowercase().ends_with(".stl");
+    match value("shape") {
+        Some(shape) => matches!(shape, Value::Text(word) if word == "solid"),
+        None => value("box").is_some() || matches!(value("file"), Some(Value::Text(name)) if mesh(name)),
     }
 }
 
@@ -82,7 +98,8 @@ impl When {
             | Self::Is(key, _)
             | Self::IsOneOf(key, _)
             | Self::IsList(key)
-            | Self::ListsOfThree(key, _) => vec![key],
+            | Self::ListsOfThree(key, _)
+            | Self::Solid(key) => vec![key],
             Self::InSpace(tables) => tables.iter().map(|(key, _)| *key).collect(),
             Self::All(conditions) => conditions.iter().flat_map(|when| when.keys()).collect(),
         }

@@ -5,6 +5,7 @@ use super::kind::{
     SLOPE, SPEED, TIME,
 };
 use super::part::{CHAIN, PART};
+use super::scene_space::SPACE_ROOT;
 use super::{File, FileKind, Foreign, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
 use crate::contact_table::contact_names;
 use crate::drawing::{Side, Want};
@@ -18,27 +19,39 @@ use carom_words::Words;
 /// Standard of the papers [m/s²].
 pub(crate) const STANDARD_GRAVITY: f64 = 9.81;
 
-pub(crate) static SCENE: File =
-    File { kind: FileKind::Scene, title: "carom scene", variants: &[(When::Always, &ROOT)] };
+pub(crate) static SCENE: File = File {
+    kind: FileKind::Scene,
+    title: "carom scene",
+    variants: &[(IN_SPACE, &SPACE_ROOT), (When::Always, &ROOT)],
+};
+
+/// A scene whose part is a solid is followed in space.
+pub(crate) const IN_SPACE: When = When::Solid("part");
+
+pub(super) const GRAVITY_KEY: Key =
+    key("gravity", Holds::Quantity(GRAVITY), "Gravity, downwards.").or(STANDARD_GRAVITY);
+pub(super) const STOP: Key = key(
+    "stop",
+    Holds::Words(Stop::words),
+    "When a run ends: landed, flat on the last plate; or delivered, when the part has left it.",
+)
+.or_word("landed");
+static CONTACT_CHOICES: [Holds; 2] = [MATERIALS, Holds::Table(&CONTACT)];
+pub(super) const CONTACT_KEY: Key = key(
+    "contact",
+    Holds::Either(&CONTACT_CHOICES),
+    "How the part touches every plate and wall that does not say its own: friction and restitution, or the name of two materials.",
+);
 
 static ROOT: Table = Table {
     name: "Scene",
     about: "What stands on a feeder's drawing.",
     keys: &[&[
-        key("gravity", Holds::Quantity(GRAVITY), "Gravity, downwards.").or(STANDARD_GRAVITY),
-        key(
-            "stop",
-            Holds::Words(Stop::words),
-            "When a run ends: landed, flat on the last plate; or delivered, when the part has left it.",
-        )
-        .or_word("landed"),
+        GRAVITY_KEY,
+        STOP,
         key("part", Holds::Table(&PART), "The part.")
             .needed_as("a table [part] with the part's shape and mass"),
-        key(
-            "contact",
-            Holds::Either(&[MATERIALS, Holds::Table(&CONTACT)]),
-            "How the part touches every plate and wall that does not say its own: friction and restitution, or the name of two materials.",
-        ),
+        CONTACT_KEY,
         key("start", Holds::Table(&START), "How the part starts.")
             .needed_as("a table [start] with to_edge, from the mass centre to the free edge"),
         key("channel", Holds::Table(&CHANNEL), "Two vertical walls, between which the plates are."),
@@ -71,7 +84,7 @@ pub(super) const fn way(shown: When, needs: &'static [&'static str], takes: &'st
 const MATERIALS: Holds = Holds::Named(contact_names, "contact of two materials");
 
 /// Friction and restitution of a surface, where they are its own.
-const SURFACE: &[Key] = &[
+pub(super) const SURFACE: &[Key] = &[
     key("contact", MATERIALS, "Two materials by name, whose friction and restitution count."),
     key(
         "friction",
@@ -86,7 +99,7 @@ const SURFACE: &[Key] = &[
 ];
 
 /// They are written, or are those of two materials.
-const OWN_SURFACE: Rule = Rule {
+pub(super) const OWN_SURFACE: Rule = Rule {
     when: When::Has("contact"),
     ways: &[way(When::Has("contact"), &[], &[]), way(When::NoOther, &[], &["friction", "restitution"])],
     missing: "",
@@ -115,28 +128,27 @@ static CONTACT: Table = Table {
 pub(super) const LAW: Key =
     key("law", Holds::Words(Law::words), "The law by which restitution ends.").or_word("poisson");
 
+pub(super) const TO_EDGE: Key = key(
+    "to_edge",
+    Holds::Quantity(LENGTH_OR_NONE),
+    "Distance from the mass centre to the plate's free edge, along the plate.",
+)
+.needed();
+pub(super) const START_SPEED: Key =
+    key("speed", Holds::Quantity(SPEED), "Speed down the plate at the start.").or(0.0);
+
 static START: Table = Table::plain(
     "Start",
     "How the part starts, lying flat on the first plate.",
     &[&[
-        key(
-            "to_edge",
-            Holds::Quantity(LENGTH_OR_NONE),
-            "Distance from the mass centre to the plate's free edge, along the plate.",
-        )
-        .needed(),
-        key("speed", Holds::Quantity(SPEED), "Speed down the plate at the start.").or(0.0),
+        TO_EDGE,
+        START_SPEED,
         key(
             "face",
             Holds::Either(&[
                 Holds::Number(FACE),
                 Holds::Words(StartWord::words),
-                Holds::List {
-                    of: &Holds::Table(&FACE_SHARE),
-                    least: 1,
-                    most: usize::MAX,
-                    called: "a list of { face, share }",
-                },
+                FACE_SHARES,
             ]),
             "Number of the face on which the part lies at the start; or a list of faces, each with its share of all parts; or `resting`: each face with the \
              share of those parts that come to rest on it when they are let go without speed, turned at random. A single drop starts on the most probable \
@@ -145,6 +157,13 @@ static START: Table = Table::plain(
         .or(0.0),
     ]],
 );
+
+pub(super) const FACE_SHARES: Holds = Holds::List {
+    of: &Holds::Table(&FACE_SHARE),
+    least: 1,
+    most: usize::MAX,
+    called: "a list of { face, share }",
+};
 
 static FACE_SHARE: Table = Table::plain(
     "FaceShare",
@@ -160,7 +179,7 @@ static FACE_SHARE: Table = Table::plain(
     ]],
 );
 
-static CHANNEL: Table = Table {
+pub(super) static CHANNEL: Table = Table {
     rules: &[OWN_SURFACE],
     ..Table::plain(
         "Channel",
@@ -188,7 +207,7 @@ static LINE: Table = Table::plain(
     ]],
 );
 
-const NAME: Key = key(
+pub(super) const NAME: Key = key(
     "name",
     Holds::Text,
     "Name, by which paths call it. Its number, counted from 0, counts where it is left out.",
@@ -198,7 +217,7 @@ const BEND_RADIUS: Key = key(
     Holds::Quantity(LENGTH_OR_NONE),
     "Rounds the corners between the straight stretches of the chain; these stay where they are drawn.",
 );
-const WANT: Key = key(
+pub(super) const WANT: Key = key(
     "want",
     Holds::Either(&[Holds::Words(Want::words), Holds::Number(FACE)]),
     "How the part is to lie on the plate: on the same side or turned (a rod or a box), on any face, or on the face of this number.",
@@ -210,69 +229,87 @@ static PLATES: Tables = Tables {
     most: usize::MAX,
     named: true,
     first: &[
-        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, BY_CHAIN, ORIGIN], ""),
-        Rule {
-            when: When::Has("wall"),
-            ways: &[
-                way(When::Has("height"), &[], &[]),
-                way(When::Has("drop"), &[], &[]),
-                way(When::NoOther, &[], &[]),
-            ],
-            missing: "",
-            help: "",
-        },
+        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, BY_CHAIN, ORIGIN], "", WAYS_TO_PLACE),
+        FIRST_LEVEL,
     ],
     later: &[
-        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, BY_CHAIN], "a place"),
-        Rule {
-            when: When::Has("wall"),
-            ways: &[way(When::Has("drop"), &[], &[]), way(When::Has("height"), &[], &[])],
-            missing: "a length below the previous hinge, or height",
-            help: "",
-        },
+        placed(&[HINGED, BY_LINE, THROUGH, BY_EDGE, BY_ENDS, BY_CHAIN], "a place", WAYS_TO_PLACE),
+        LATER_LEVEL,
     ],
 };
 
-const HINGED: Way = way(When::Has("wall"), &["slope"], &["height", "drop", "gap", "length"]);
-const BY_LINE: Way = way(When::Has("line"), &[], &["downhill"]);
-const THROUGH: Way = way(When::Has("below"), &["slope"], &["downhill"]);
-const BY_EDGE: Way = way(When::Has("edge"), &["slope", "length"], &["downhill"]);
-const BY_ENDS: Way = way(When::Any(&["from", "to"]), &["from", "to"], &[]);
+/// How high the hinge of the first plate is.
+pub(super) const FIRST_LEVEL: Rule = Rule {
+    when: When::Has("wall"),
+    ways: &[
+        way(When::Has("height"), &[], &[]),
+        way(When::Has("drop"), &[], &[]),
+        way(When::NoOther, &[], &[]),
+    ],
+    missing: "",
+    help: "",
+};
+/// How high that of a later one is.
+pub(super) const LATER_LEVEL: Rule = Rule {
+    when: When::Has("wall"),
+    ways: &[way(When::Has("drop"), &[], &[]), way(When::Has("height"), &[], &[])],
+    missing: "a length below the previous hinge, or height",
+    help: "",
+};
+/// How far a hinged plate reaches.
+pub(super) const REACH: Rule = Rule {
+    when: When::Has("wall"),
+    ways: &[way(When::Has("gap"), &[], &[]), way(When::Has("length"), &[], &[])],
+    missing: "a length from the free edge to the other wall, or length",
+    help: "",
+};
+
+pub(super) const HINGED: Way = way(When::Has("wall"), &["slope"], &["height", "drop", "gap", "length"]);
+pub(super) const BY_LINE: Way = way(When::Has("line"), &[], &["downhill"]);
+pub(super) const THROUGH: Way = way(When::Has("below"), &["slope"], &["downhill"]);
+pub(super) const BY_EDGE: Way = way(When::Has("edge"), &["slope", "length"], &["downhill"]);
+pub(super) const BY_ENDS: Way = way(When::Any(&["from", "to"]), &["from", "to"], &[]);
 const BY_CHAIN: Way = way(When::Has("chain"), &[], &["bend_radius"]);
 /// The first plate: its free edge is the origin.
-const ORIGIN: Way = way(When::NoOther, &["slope"], &["length", "downhill"]);
+pub(super) const ORIGIN: Way = way(When::NoOther, &["slope"], &["length", "downhill"]);
 
-const fn placed(ways: &'static [Way], missing: &'static str) -> Rule {
-    let help = "a plate is placed by wall + drop + slope + gap (or length), by line, by below + slope, by edge + slope + length, by from + to, or by chain";
+const WAYS_TO_PLACE: &str = "a plate is placed by wall + drop + slope + gap (or length), by line, by below + slope, by edge + slope + length, by from + to, or by chain";
+
+pub(super) const fn placed(ways: &'static [Way], missing: &'static str, help: &'static str) -> Rule {
     Rule { when: When::Always, ways, missing, help }
 }
+
+/// Where a straight plate is.
+pub(super) const STRAIGHT: &[Key] = &[
+    NAME,
+    key("wall", Holds::Words(Side::words), "The wall at which the plate is hinged."),
+    key("height", Holds::Quantity(COORDINATE), "Height of the hinge."),
+    key("drop", Holds::Quantity(LENGTH), "Drop of the hinge, below the previous plate's hinge."),
+    key(
+        "slope",
+        Holds::Quantity(SLOPE),
+        "Slope of the plate below the horizontal, away from its uphill end.",
+    ),
+    key("gap", Holds::Quantity(LENGTH), "Gap from the free edge to the other wall."),
+    key("length", Holds::Quantity(LENGTH), "Length from the uphill end to the free edge."),
+    key("downhill", Holds::Words(Side::words), "The side to which the plate slopes."),
+    key("line", Holds::Table(&LINE), "The line of the plate, in the axes of the plate before."),
+    key(
+        "below",
+        Holds::Point(COORDINATE),
+        "A point on the line of the plate, measured from the previous plate's free edge.",
+    ),
+    key("edge", Holds::Point(COORDINATE), "The free edge of the plate."),
+    key("from", Holds::Point(COORDINATE), "The uphill end of the plate."),
+    key("to", Holds::Point(COORDINATE), "The free edge of the plate."),
+];
 
 static PLATE: Table = Table {
     name: "Plate",
     about: "A plate. The first needs no place: its free edge is the origin. Others are placed by wall (hinged there) with slope, drop or height, and gap or length; by line; by below with slope; by edge with slope and length; by from and to; or by chain, which may be bent.",
     keys: &[
+        STRAIGHT,
         &[
-            NAME,
-            key("wall", Holds::Words(Side::words), "The wall at which the plate is hinged."),
-            key("height", Holds::Quantity(COORDINATE), "Height of the hinge."),
-            key("drop", Holds::Quantity(LENGTH), "Drop of the hinge, below the previous plate's hinge."),
-            key(
-                "slope",
-                Holds::Quantity(SLOPE),
-                "Slope of the plate below the horizontal, away from its uphill end.",
-            ),
-            key("gap", Holds::Quantity(LENGTH), "Gap from the free edge to the other wall."),
-            key("length", Holds::Quantity(LENGTH), "Length from the uphill end to the free edge."),
-            key("downhill", Holds::Words(Side::words), "The side to which the plate slopes."),
-            key("line", Holds::Table(&LINE), "The line of the plate, in the axes of the plate before."),
-            key(
-                "below",
-                Holds::Point(COORDINATE),
-                "A point on the line of the plate, measured from the previous plate's free edge.",
-            ),
-            key("edge", Holds::Point(COORDINATE), "The free edge of the plate."),
-            key("from", Holds::Point(COORDINATE), "The uphill end of the plate."),
-            key("to", Holds::Point(COORDINATE), "The free edge of the plate."),
             key(
                 "chain",
                 CHAIN,
@@ -288,15 +325,7 @@ static PLATE: Table = Table {
         ],
         SURFACE,
     ],
-    rules: &[
-        Rule {
-            when: When::Has("wall"),
-            ways: &[way(When::Has("gap"), &[], &[]), way(When::Has("length"), &[], &[])],
-            missing: "a length from the free edge to the other wall, or length",
-            help: "",
-        },
-        OWN_SURFACE,
-    ],
+    rules: &[REACH, OWN_SURFACE],
     foreign: &[],
     inherited: &[],
 };

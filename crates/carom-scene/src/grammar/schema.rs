@@ -357,6 +357,14 @@ fn condition(when: When) -> Value {
             let table_of = json!({ "type": "object", "required": [key], "properties": { (key): lists } });
             is(table, table_of)
         }
+        When::Solid(table) => {
+            let mesh = is("file", json!({ "pattern": "[.][sS][tT][lL]$" }));
+            let bare = json!({
+                "not": { "required": ["shape"] },
+                "anyOf": [{ "required": ["box"] }, mesh],
+            });
+            is(table, json!({ "type": "object", "anyOf": [is("shape", json!({ "const": "solid" })), bare] }))
+        }
         When::All(conditions) => all(&conditions.iter().map(|when| condition(*when)).collect::<Vec<_>>()),
     }
 }

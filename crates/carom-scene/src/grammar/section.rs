@@ -80,6 +80,16 @@ impl<'t> Section<'t> {
         super::check::joined(&self.path, key)
     }
 
+    /// True where the grammar of this table has the key.
+    pub(crate) fn knows(&self, key: &str) -> bool {
+        self.table.key(key).is_some()
+    }
+
+    /// As [`Section::quantity_or_default`], of a key that only some tables of its kind have.
+    pub(crate) fn quantity_if_known(&self, key: &str) -> Option<Quantity> {
+        self.knows(key).then(|| self.quantity_or_default(key)).flatten()
+    }
+
     pub(crate) fn has(&self, key: &str) -> bool {
         self.entries.iter().any(|entry| entry.key == key)
     }

@@ -11,7 +11,7 @@ use crate::roll::bodies::unfit;
 use crate::tolerance::FLAT_AS_WRITTEN;
 use crate::unit::Dimension;
 use carom_impact::spatial::{MOST_EXAMINED, RigidBody};
-use carom_motion::spatial::{Body, BodyProblem, Feature, Polyhedron, Stance, State, Supports};
+use carom_motion::spatial::{Body, BodyProblem, Feature, Polyhedron, Stance, State};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Rotation, Vec3};
 
@@ -76,11 +76,11 @@ pub struct Throw {
 const SLENDEREST: f64 = 1e3;
 
 /// Mass, mass centre in the axes of the drawing, inertia about it.
-struct MassSpec {
-    mass: f64,
-    centre: Vec3,
-    inertia: Mat3,
-    homogeneous: bool,
+pub(crate) struct MassSpec {
+    pub(crate) mass: f64,
+    pub(crate) centre: Vec3,
+    pub(crate) inertia: Mat3,
+    pub(crate) homogeneous: bool,
 }
 
 pub(super) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<Setup> {
@@ -174,7 +174,7 @@ fn attitude(root: &Section<'_>) -> Option<Rotation> {
 }
 
 /// Mass, mass centre and inertia: as written, or those of the shape, filled evenly.
-fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<MassSpec> {
+pub(crate) fn heft(root: &Section<'_>, shape: Option<&ThrownShape>) -> Option<MassSpec> {
     let (mass, density) = (root.value("mass"), root.value("density"));
     let centre = triple(root, "centre");
     let moments = triple(root, "inertia");

@@ -60,7 +60,7 @@ struct Drawn {
 }
 
 /// The shape that a file describes; STL files are looked for beside it.
-pub(super) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<ThrownShape> {
+pub(crate) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<ThrownShape> {
     let unit = unit(root);
     let flatness = root.value("flatness");
     let sides = triple(root, "box");

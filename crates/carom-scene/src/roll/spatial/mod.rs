@@ -21,9 +21,11 @@ mod stool;
 mod strike_report;
 mod throws;
 
+pub(crate) use body::heft as read_mass;
 pub use body::{Throw, ThrownBody};
 pub use body_report::{RestingReport, ThrownBodyReport, ThrownFaceReport, ThrownVertexReport};
 pub use body_shape::ThrownShape;
+pub(crate) use body_shape::read as read_shape;
 pub use follow::{SpatialRollRun, SpatialStrike};
 pub use pose_report::{PoseEndReport, PoseReport, PoseThrowReport, ThrowRangeReport};
 pub(crate) use read::grammar_of;

@@ -160,7 +160,7 @@ impl SpatialRollReport {
             inertia_transverse_kg_m2: has_axis.then_some(inertia.rows[0].x),
             inertia_axial_kg_m2: has_axis.then_some(inertia.rows[2].z),
             friction: friction.map(|f| f.coefficient(0)),
-            restitution: friction.map_or(0.0, |f| f.restitution()),
+            restitution: friction.map_or(0.0, |f| f.restitution(0)),
             body: ThrownBodyReport::new(problem),
             resting: RestingReport::new(problem, run),
             strikes,

@@ -35,7 +35,7 @@ impl SpatialRollProblem {
                 "Friction {} after Coulomb at every {}, restitution {} after {}.",
                 friction.coefficient(0),
                 if self.kind == SpatialRollKind::Body { "vertex" } else { "support" },
-                friction.restitution(),
+                friction.restitution(0),
                 friction.law().word()
             ),
         }

@@ -1,0 +1,311 @@
+//! From what happens to a verdict.
+
+use super::drop::Prepared;
+use super::run::{Exit, Run};
+use super::stages::stages;
+use crate::drop::RunError;
+use crate::feeder::Stop;
+use crate::run::{Effort, Jam, JamKind, Landing, Outcome, Touch, Verdict};
+use crate::tolerance::FLAT_FACE;
+use carom_impact::spatial::Conclusion;
+use carom_motion::MotionError;
+use carom_motion::spatial::{
+    End, Impact, Mode, Observer, Piece, Run as Motion, Samples, State, Supports, run as run_motion,
+};
+use std::ops::ControlFlow;
+
+/// What has been seen of one plate.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    first_touch: Option<f64>,
+    impact_speed: Option<f64>,
+    max_impact_speed: f64,
+    sliding_speed: f64,
+}
+
+/// Looks on, notes what a verdict needs, and ends the run where it is known.
+pub(super) struct Watcher<'p, 'f> {
+    prepared: &'p Prepared<'f>,
+    traced: bool,
+    plates: Vec<Seen>,
+    walls: Vec<bool>,
+    landings: Vec<Landing>,
+    /// The last flight that started where the last plate had been touched.
+    left: Option<Exit>,
+    /// The state before the next impact.
+    now: State,
+    struck_at: Vec<f64>,
+    struck: Vec<usize>,
+    held: Supports,
+    samples: Samples,
+}
+
+impl<'p, 'f> Watcher<'p, 'f> {
+    pub(super) fn new(prepared: &'p Prepared<'f>, traced: bool) -> Self {
+        let mut plates = vec![Seen::default(); prepared.feeder.plates.len()];
+        plates[0].first_touch = Some(0.0);
+        Self {
+            prepared,
+            traced,
+            plates,
+            walls: vec![false; prepared.feeder.walls.len()],
+            landings: vec![],
+            left: None,
+            now: prepared.start,
+            struck_at: vec![],
+            struck: vec![],
+            held: Supports::NONE,
+            samples: Samples::default(),
+        }
+    }
+
+    /// Follows the part to its end.
+    pub(super) fn follow(mut self) -> Result<Run, RunError> {
+        let Prepared { world, start, options, .. } = self.prepared;
+        let run = match run_motion(world, start, options, &mut self) {
+            Ok(run) => run,
+            Err(MotionError::TooManyTouching { time, .. }) => return Ok(self.given_up(time)),
+            Err(error) => return Err(error.into()),
+        };
+        let outcome = self.outcome(&run.end, run.time, &run.state);
+        Ok(self.finish(outcome, run))
+    }
+
+    /// More contacts than can be resolved: all that is known is the way until then.
+    fn given_up(self, time: f64) -> Run {
+        let until = Motion {
+            end: End::Stopped,
+            time,
+            state: self.now,
+            impacts: vec![],
+            closings: vec![],
+            drift: 0.0,
+            friction_work: 0.0,
+            effort: Default::default(),
+        };
+        self.finish(Outcome::Unresolved, until)
+    }
+
+    fn finish(mut self, outcome: Outcome, motion: Motion) -> Run {
+        for landing in &mut self.landings {
+            let seen = &self.plates[landing.plate];
+            landing.impact_speed = seen.impact_speed.unwrap_or(0.0);
+            landing.max_impact_speed = seen.max_impact_speed;
+            landing.max_sliding_speed = seen.sliding_speed;
+        }
+        let jam = (outcome == Outcome::Jammed).then(|| self.jam());
+        let mut run = Run {
+            outcome,
+            end_time: motion.time,
+            end: motion.state,
+            landings: self.landings,
+            walls_touched: (0..self.walls.len()).filter(|wall| self.walls[*wall]).collect(),
+            exit: self.left.filter(|_| outcome == Outcome::Delivered),
+            jam,
+            forks: motion.impacts.iter().filter(|i| i.conclusion == Conclusion::Several).count() as u64,
+            effort: Effort {
+                rhs_evaluations: motion.effort.evaluations,
+                steps: motion.effort.steps,
+                event_evaluations: motion.effort.event_evaluations,
+                rate_problems: motion.effort.questions,
+                events: self.samples.pieces.len() as u64,
+                impacts: motion.effort.impacts,
+            },
+            stages: vec![],
+            impacts: motion.impacts,
+            struck_at: self.struck_at,
+            struck: self.struck,
+            closings: motion.closings,
+            samples: self.samples,
+        };
+        if self.traced {
+            run.stages = stages(self.prepared, &run);
+        } else {
+            run.samples = Samples::default();
+        }
+        run
+    }
+
+    fn jam(&self) -> Jam<carom_motion::spatial::Touch> {
+        let world = &self.prepared.world;
+        let owner = |support: usize| self.owner(support);
+        let touch = |support| Some(Touch { obstacle: owner(support), feature: world.touch(support)? });
+        let mut owners: Vec<usize> = self.held.iter().map(owner).collect();
+        owners.dedup();
+        let kind = if owners.len() > 1 { JamKind::Wedged } else { JamKind::Unresolved };
+        Jam { kind, contacts: self.held.iter().filter_map(touch).collect() }
+    }
+
+    fn last(&self) -> usize {
+        self.prepared.feeder.plates.len() - 1
+    }
+
+    /// How a run ended.
+    fn outcome(&mut self, end: &End, time: f64, state: &State) -> Outcome {
+        match *end {
+            End::Stopped => Outcome::Landed,
+            End::AtRest { held } | End::Balanced { held } => {
+                self.note(time, held, state);
+                self.resting(held)
+            }
+            End::FliesAway if self.left.is_some() && self.prepared.feeder.stop == Stop::Delivered => {
+                Outcome::Delivered
+            }
+            End::FliesAway if self.plates[self.last()].first_touch.is_some() => Outcome::Escaped,
+            End::FliesAway => Outcome::Missed,
+            End::Flat { .. } => Outcome::Unresolved,
+            End::NoConsistentOutcome(_) | End::Several(_) => Outcome::Jammed,
+            End::Overturned | End::BudgetSpent(_) => Outcome::NeverFlat,
+        }
+    }
+
+    fn resting(&self, held: Supports) -> Outcome {
+        let plates = 0..self.prepared.feeder.plates.len();
+        let flat = plates.rev().find(|plate| self.face_on(*plate, held, &self.now).is_some());
+        let mut owners: Vec<usize> = held.iter().map(|i| self.owner(i)).collect();
+        owners.dedup();
+        match flat {
+            Some(plate) if plate == self.last() && self.prepared.feeder.stop == Stop::Landed && plate > 0 => {
+                Outcome::Landed
+            }
+            Some(_) => Outcome::Stuck,
+            None if owners.len() > 1 => Outcome::Jammed,
+            None => Outcome::Stuck,
+        }
+    }
+
+    fn owner(&self, support: usize) -> usize {
+        self.prepared.owner(support)
+    }
+
+    /// Notes what is touched, and where the part lies flat for the first time.
+    fn note(&mut self, time: f64, held: Supports, state: &State) {
+        (self.now, self.held) = (*state, held);
+        for support in held.iter() {
+            let owner = self.owner(support);
+            let slip = self.slip(support, state);
+            let plates = self.plates.len();
+            match self.plates.get_mut(owner) {
+                Some(seen) => {
+                    seen.first_touch.get_or_insert(time);
+                    seen.sliding_speed = seen.sliding_speed.max(slip);
+                }
+                None => self.walls[owner - plates] = true,
+            }
+        }
+        for plate in 0..self.plates.len() {
+            let known = self.landings.iter().any(|landing| landing.plate == plate);
+            let is_start = plate == 0 && self.plates[0].impact_speed.is_none();
+            if known || is_start {
+                continue;
+            }
+            let Some(face) = self.face_on(plate, held, state) else { continue };
+            let landing = self.landing(plate, face, time);
+            self.landings.push(landing);
+        }
+    }
+
+    /// The speed along the surface with which a support slips [m/s].
+    fn slip(&self, support: usize, state: &State) -> f64 {
+        let world = &self.prepared.world;
+        let Some(arm) = world.touches_at(support, state) else { return 0.0 };
+        let (velocity, normal) = (state.velocity_of(arm), world.normal_at(support, state));
+        (velocity - normal * normal.dot(velocity)).norm()
+    }
+
+    fn landing(&self, plate: usize, face: usize, time: f64) -> Landing {
+        let before = self.landings.iter().rev().find(|landing| landing.plate != plate);
+        let start = self.prepared.feeder.start.face;
+        let face_before = before.map_or(Some(start), |landing| landing.face);
+        let opposite = self.prepared.feeder.part.opposite(start);
+        let verdict = match face {
+            _ if face == start => Verdict::Same,
+            _ if Some(face) == opposite => Verdict::Turned,
+            _ => Verdict::Face(face),
+        };
+        Landing {
+            plate,
+            verdict: Some(verdict),
+            turned_here: Some(Some(face) != face_before),
+            face: Some(face),
+            first_touch: self.plates[plate].first_touch.unwrap_or(time),
+            flat: Some(time),
+            impact_speed: 0.0,
+            max_impact_speed: 0.0,
+            max_sliding_speed: 0.0,
+        }
+    }
+
+    /// The face of the part that lies on a plate: three contacts that are not on one line hold it there, and it is parallel to the plate.
+    fn face_on(&self, plate: usize, held: Supports, state: &State) -> Option<usize> {
+        let Prepared { world, feeder, owners, .. } = self.prepared;
+        // The sheet is the first of a plate's obstacles: its side walls follow.
+        let sheet = owners.iter().position(|owner| *owner == plate)?;
+        let own = held.those(|support| world.obstacle_of(support) == sheet);
+        if !self.prepared.are_wide(own, state) {
+            return None;
+        }
+        let up = world.normal_at(own.iter().next()?, state);
+        let down = -state.attitude.undo(up);
+        let turned = |face: &super::feeder::Face| (face.normal - down).norm();
+        feeder.part.faces.iter().position(|face| turned(face) <= FLAT_FACE)
+    }
+
+    fn has_landed(&self) -> bool {
+        let last = self.last();
+        self.prepared.feeder.stop == Stop::Landed && self.landings.iter().any(|landing| landing.plate == last)
+    }
+}
+
+impl Observer for Watcher<'_, '_> {
+    fn is_dense(&self) -> bool {
+        self.traced
+    }
+
+    fn sample(&mut self, time: f64, mode: Mode, state: &State) {
+        self.samples.sample(time, mode, state);
+    }
+
+    fn starts(&mut self, time: f64, mode: Mode, state: &State) -> ControlFlow<()> {
+        self.note(time, mode.held(&self.prepared.world), state);
+        let last = self.last();
+        if mode != Mode::Flight {
+            self.left = None;
+        } else if self.left.is_none() && self.plates[last].first_touch.is_some() {
+            self.left = Some(Exit { time, state: *state });
+        }
+        if self.has_landed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn piece(&mut self, piece: &Piece) {
+        self.note(piece.end_time, piece.mode.held(&self.prepared.world), &piece.end);
+        self.samples.piece(piece);
+    }
+
+    fn impact(&mut self, impact: &Impact) -> ControlFlow<()> {
+        let world = &self.prepared.world;
+        let speed = |support: usize| {
+            world.touches_at(support, &self.now).map_or(0.0, |arm| self.now.velocity_of(arm).norm())
+        };
+        let Some(first) = impact.striking.iter().next().or_else(|| impact.touching.iter().next()) else {
+            return ControlFlow::Continue(());
+        };
+        let (speed, owner) = (speed(first), self.owner(first));
+        self.struck_at.push(speed);
+        self.struck.push(owner);
+        for support in impact.touching.iter() {
+            let (owner, plates) = (self.owner(support), self.plates.len());
+            match self.plates.get_mut(owner) {
+                Some(seen) => {
+                    seen.first_touch.get_or_insert(impact.time);
+                    if impact.striking.contains(support) {
+                        seen.impact_speed.get_or_insert(speed);
+                        seen.max_impact_speed = seen.max_impact_speed.max(speed);
+                    }
+                }
+                None => self.walls[owner - plates] = true,
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}

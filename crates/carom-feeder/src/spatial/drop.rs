@@ -1,0 +1,370 @@
+//! A feeder made ready, and its run.
+
+use super::course::Watcher;
+use super::feeder::{Feeder, Plate, Start, Wall, WallForm};
+use super::run::Run;
+use crate::drop::RunError;
+use crate::feeder::FeederProblem;
+use crate::tolerance::{CROSSES_START, FARTHEST, NO_LENGTH, ON_ONE_LINE, OPPOSITE, VERTICAL, WIDE};
+use carom_motion::spatial::{Friction, Obstacle, Options, Plane, State, Supports, World};
+use carom_num::elementary::atan2;
+use carom_num::{Rotation, Vec2, Vec3};
+use std::f64::consts::PI;
+
+/// A feeder that was checked and turned into a world, ready for any number of runs.
+#[derive(Clone, Debug)]
+pub struct Prepared<'f> {
+    pub(super) feeder: &'f Feeder,
+    pub(super) world: World,
+    pub(super) start: State,
+    /// For each obstacle of the world the plate or wall that it is of: plates first, then walls.
+    pub(super) owners: Vec<usize>,
+    pub(super) options: Options,
+}
+
+/// Axes of a plate, world axes: downhill, out of its upper side, and across it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Axes {
+    pub(super) downhill: Vec3,
+    pub(super) up: Vec3,
+    pub(super) across: Vec3,
+}
+
+impl Plate {
+    /// The axes of the plate; `None` where it has no length.
+    pub(super) fn axes(&self) -> Option<Axes> {
+        let run = (self.edge - self.uphill).unit()?;
+        let downhill = Vec3::new(run.x, run.y, 0.0);
+        let left = if run.x >= 0.0 { run.turned_left() } else { -run.turned_left() };
+        let sign = if run.x >= 0.0 { 1.0 } else { -1.0 };
+        let roll = Rotation::by(downhill * (sign * self.roll));
+        Some(Axes { downhill, up: roll.apply(Vec3::new(left.x, left.y, 0.0)), across: roll.apply(Vec3::Z) })
+    }
+
+    /// Its corners: along its free edge, then along its uphill end, counter-clockwise as seen from above where it leads to the right.
+    pub fn corners(&self, size: f64) -> Option<[Vec3; 4]> {
+        let half = 0.5 * self.width.unwrap_or(WIDE * size);
+        let across = self.axes()?.across * half;
+        let [edge, uphill] = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0));
+        Some([edge + across, edge - across, uphill - across, uphill + across])
+    }
+
+    /// The walls along its sides, by their corners; none where they have no height or the plate is as wide as needed.
+    pub fn sides(&self) -> Vec<[Vec3; 4]> {
+        let (Some(width), Some(axes)) = (self.width.filter(|_| self.side_walls > 0.0), self.axes()) else {
+            return vec![];
+        };
+        let [edge, uphill] = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0));
+        let high = axes.up * self.side_walls;
+        let side = |sign: f64| {
+            let beside = axes.across * (0.5 * width * sign);
+            [edge + beside, edge + beside + high, uphill + beside + high, uphill + beside]
+        };
+        vec![side(1.0), side(-1.0)]
+    }
+}
+
+impl Wall {
+    /// What it is to the part; a wall across the drawing is as wide as needed for parts of this size.
+    pub(super) fn obstacle(&self, size: f64) -> Option<Obstacle> {
+        let found = match self.form {
+            WallForm::Across { from, to } => {
+                let across = Vec3::Z * (0.5 * WIDE * size);
+                let [a, b] = [from, to].map(|at| Vec3::new(at.x, at.y, 0.0));
+                Obstacle::plate(&[a + across, a - across, b - across, b + across]).ok()?
+            }
+            WallForm::Beside { z } => {
+                let inwards = Vec3::Z * if z > 0.0 { -1.0 } else { 1.0 };
+                Plane::new(inwards, -z.abs()).ok()?.into()
+            }
+        };
+        Some(found.with_friction(self.friction).with_restitution(self.restitution))
+    }
+}
+
+impl Feeder {
+    /// Checks the feeder and makes it ready to run.
+    ///
+    /// # Errors
+    /// [`RunError::Problems`] with every problem found.
+    pub fn prepare(&self, options: Options) -> Result<Prepared<'_>, RunError> {
+        let problems = self.problems();
+        if !problems.is_empty() {
+            return Err(RunError::Problems(problems));
+        }
+        let (world, owners) = self.world().map_err(|found| RunError::Problems(vec![found]))?;
+        let start = self.start_state();
+        let spare = CROSSES_START * world.body().reach();
+        let mut crossing: Vec<usize> =
+            world.reaches_into(&start, spare).into_iter().map(|(obstacle, _)| owners[obstacle]).collect();
+        crossing.dedup();
+        if !crossing.is_empty() {
+            let path = |owner: usize| FeederProblem::CrossesStart { path: self.path(owner) };
+            return Err(RunError::Problems(crossing.into_iter().map(path).collect()));
+        }
+        Ok(Prepared { feeder: self, world, start, owners, options })
+    }
+
+    /// Runs the feeder and keeps everything: stages, impacts, samples.
+    ///
+    /// # Errors
+    /// As [`Feeder::prepare`]; [`RunError::Motion`] for a fault of the numbers.
+    pub fn run(&self) -> Result<Run, RunError> {
+        self.prepare(options())?.run()
+    }
+
+    /// Runs the feeder without samples and stages: for its outcome and landings.
+    ///
+    /// # Errors
+    /// As [`Feeder::run`].
+    pub fn run_untraced(&self) -> Result<Run, RunError> {
+        self.prepare(options())?.run_untraced()
+    }
+
+    /// The name of a plate or wall: plates first, then walls.
+    pub fn obstacle_name(&self, owner: usize) -> &str {
+        let wall = || owner.checked_sub(self.plates.len()).and_then(|i| self.walls.get(i));
+        self.plates.get(owner).map_or_else(|| wall().map_or("", |wall| &wall.name), |plate| &plate.name)
+    }
+
+    fn path(&self, owner: usize) -> String {
+        let kind = if owner < self.plates.len() { "plate" } else { "wall" };
+        format!("{kind}.{}", self.obstacle_name(owner))
+    }
+
+    /// The world the part moves in, and of which plate or wall each of its obstacles is.
+    fn world(&self) -> Result<(World, Vec<usize>), FeederProblem> {
+        let size = self.part.body.reach();
+        let (mut obstacles, mut owners) = (vec![], vec![]);
+        let flat = |path: &str| FeederProblem::NoLength { path: path.to_owned() };
+        for (owner, plate) in self.plates.iter().enumerate() {
+            let corners = plate.corners(size).into_iter().chain(plate.sides());
+            for corners in corners {
+                let sheet = Obstacle::plate(&corners).map_err(|_| flat(&self.path(owner)))?;
+                obstacles.push(sheet.with_friction(plate.friction).with_restitution(plate.restitution));
+                owners.push(owner);
+            }
+        }
+        for (i, wall) in self.walls.iter().enumerate() {
+            let owner = self.plates.len() + i;
+            obstacles.push(wall.obstacle(size).ok_or_else(|| flat(&self.path(owner)))?);
+            owners.push(owner);
+        }
+        let unfit = |why: String| FeederProblem::World { why };
+        let friction = Friction::new(0.0).with_law(self.law);
+        let world = World::new(self.part.body.clone(), Vec3::Y * -self.gravity);
+        let world = world.map_err(|why| unfit(why.to_string()))?.with_friction(friction);
+        let world = world.map_err(|why| unfit(why.to_string()))?.among(obstacles);
+        Ok((world.map_err(|why| unfit(why.to_string()))?, owners))
+    }
+
+    /// Place, attitude and motion at the start: lying flat on the first plate; at the origin where there is none.
+    pub fn start_state(&self) -> State {
+        let still =
+            State { centre: Vec3::ZERO, attitude: Rotation::NONE, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+        let first = self.plates.first();
+        let Some((plate, axes)) = first.and_then(|plate| Some((plate, plate.axes()?))) else { return still };
+        let Start { to_edge, aside, turn, speed, face } = self.start;
+        let Some(face) = self.part.faces.get(face) else { return still };
+        let edge = Vec3::new(plate.edge.x, plate.edge.y, 0.0);
+        let foot = edge - axes.downhill * to_edge + axes.across * aside;
+        // The drawing's axes turned into the plate's: first its slope, about z, then its roll, then the turn of the part on it.
+        let right = axes.up.cross(axes.across);
+        let on_plate = rotation_to([right, axes.up, axes.across]);
+        let attitude = Rotation::by(axes.up * turn).after(on_plate).after(laid_down(face.normal));
+        State {
+            centre: foot + axes.up * face.depth,
+            attitude,
+            velocity: axes.downhill * speed,
+            spin: Vec3::ZERO,
+        }
+    }
+
+    /// All that is wrong with the numbers.
+    fn problems(&self) -> Vec<FeederProblem> {
+        let mut found = Found(vec![]);
+        let size = self.part.body.reach();
+        found.demand(self.gravity.is_finite() && self.gravity > 0.0, "gravity", self.gravity, "above 0 m/s²");
+        for (owner, plate) in self.plates.iter().enumerate() {
+            let path = self.path(owner);
+            found.line(&path, plate.uphill, plate.edge, size);
+            found.surface(&path, plate.friction, plate.restitution);
+            let width = plate.width.unwrap_or(size);
+            let wide = width > NO_LENGTH * size && width <= FARTHEST * size;
+            found.demand(wide, &format!("{path}.width"), width, "above 0, and at most 4000 part sizes");
+            let upright = plate.roll.abs() < 0.5 * PI;
+            found.demand(upright, &format!("{path}.roll"), plate.roll, "between -90° and 90°");
+            let high = (0.0..=FARTHEST * size).contains(&plate.side_walls);
+            found.demand(high, &format!("{path}.side_walls"), plate.side_walls, "0 to 4000 part sizes");
+        }
+        for (i, wall) in self.walls.iter().enumerate() {
+            let path = self.path(self.plates.len() + i);
+            match wall.form {
+                WallForm::Across { from, to } => found.line(&path, from, to, size),
+                WallForm::Beside { z } => found.demand(z.is_finite() && z != 0.0, &path, z, "a number but 0"),
+            }
+            found.surface(&path, wall.friction, wall.restitution);
+        }
+        self.start_problems(&mut found);
+        found.0
+    }
+
+    fn start_problems(&self, found: &mut Found) {
+        let Start { to_edge, aside, turn, speed, face } = self.start;
+        for (path, value) in [("start.speed", speed), ("start.turn", turn), ("start.aside", aside)] {
+            found.demand(value.is_finite(), path, value, "a finite number");
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a face number is small")]
+        let number = face as f64;
+        let has = face < self.part.faces.len();
+        found.demand(has, "start.face", number, "one of the part's faces, counted from 0");
+        let Some(first) = self.plates.first() else {
+            found.0.push(FeederProblem::NoPlates);
+            return;
+        };
+        let run = first.edge - first.uphill;
+        let on = (0.0..=run.norm()).contains(&to_edge);
+        found.demand(
+            on,
+            "start.to_edge",
+            to_edge,
+            "0 to the first plate's length: the mass centre must be over the plate",
+        );
+        let half = first.width.map_or(f64::INFINITY, |width| 0.5 * width);
+        found.demand(
+            aside.abs() <= half,
+            "start.aside",
+            aside,
+            "at most half the first plate's width to either side",
+        );
+        let vertical = run.norm() > 0.0 && run.x.abs() <= VERTICAL * run.norm();
+        found.demand(
+            !vertical,
+            "plate.0.slope",
+            90.0,
+            "a first plate that is not vertical where the part starts",
+        );
+    }
+}
+
+/// Budgets of a run: what chatters longer than this never comes to lie flat.
+pub(crate) fn options() -> Options {
+    Options { most_time: 60.0, most_steps: 50_000, most_impacts: 5_000, ..Options::default() }
+}
+
+struct Found(Vec<FeederProblem>);
+
+impl Found {
+    fn demand(&mut self, fine: bool, path: &str, value: f64, allowed: &'static str) {
+        if !fine {
+            self.0.push(FeederProblem::OutOfRange { path: path.to_owned(), value, allowed });
+        }
+    }
+
+    fn line(&mut self, path: &str, from: Vec2, to: Vec2, size: f64) {
+        for (value, key) in [(from.x, "from.x"), (from.y, "from.y"), (to.x, "to.x"), (to.y, "to.y")] {
+            let near = value.is_finite() && value.abs() <= FARTHEST * size;
+            self.demand(near, &format!("{path}.{key}"), value, "at most 4000 part sizes from the origin");
+        }
+        if (to - from).norm() <= NO_LENGTH * size {
+            self.0.push(FeederProblem::NoLength { path: path.to_owned() });
+        }
+    }
+
+    fn surface(&mut self, path: &str, friction: f64, restitution: f64) {
+        let rough = friction.is_finite() && friction >= 0.0;
+        self.demand(rough, &format!("{path}.friction"), friction, "0 or more");
+        let fine = (0.0..=1.0).contains(&restitution);
+        self.demand(fine, &format!("{path}.restitution"), restitution, "0 to 1");
+    }
+}
+
+/// The least turn that lays the face with this normal down, level; about z where it is half a turn.
+fn laid_down(normal: Vec3) -> Rotation {
+    let axis = normal.cross(-Vec3::Y);
+    let sine = axis.norm();
+    match axis.unit().filter(|_| sine > OPPOSITE) {
+        Some(axis) => Rotation::by(axis * atan2(sine, -normal.y)),
+        None if normal.y > 0.0 => Rotation::by(Vec3::Z * PI),
+        None => Rotation::NONE,
+    }
+}
+
+/// The rotation of x, y and z into these unit vectors.
+fn rotation_to([x, y, z]: [Vec3; 3]) -> Rotation {
+    // The largest of the four numbers is taken from the diagonal, the others follow from it.
+    let diagonal =
+        [1.0 + x.x + y.y + z.z, 1.0 + x.x - y.y - z.z, 1.0 - x.x + y.y - z.z, 1.0 - x.x - y.y + z.z];
+    let rows = [
+        [diagonal[0], y.z - z.y, z.x - x.z, x.y - y.x],
+        [y.z - z.y, diagonal[1], x.y + y.x, z.x + x.z],
+        [z.x - x.z, x.y + y.x, diagonal[2], y.z + z.y],
+        [x.y - y.x, z.x + x.z, y.z + z.y, diagonal[3]],
+    ];
+    let largest = (0..4).max_by(|a, b| diagonal[*a].total_cmp(&diagonal[*b])).unwrap_or_default();
+    Rotation::of(rows[largest]).unwrap_or(Rotation::NONE)
+}
+
+impl Prepared<'_> {
+    /// The world the part moves in: each plate's sheet, then the walls along its sides; then the other walls.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// Supports that are not on one line.
+    pub(super) fn are_wide(&self, supports: Supports, state: &State) -> bool {
+        let places: Vec<Vec3> = supports.iter().filter_map(|i| self.world.touches_at(i, state)).collect();
+        let reach = self.world.body().reach();
+        let from = places.first().copied().unwrap_or(Vec3::ZERO);
+        let wide = |(a, b): (usize, usize)| (places[a] - from).cross(places[b] - from).norm();
+        let pairs = (0..places.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+        pairs.map(wide).fold(0.0, f64::max) > ON_ONE_LINE * reach * reach
+    }
+
+    /// The plate or wall that a support of the world is on: plates first, then walls.
+    pub fn owner(&self, support: usize) -> usize {
+        self.owners[self.world.obstacle_of(support)]
+    }
+
+    /// Runs and keeps everything.
+    ///
+    /// # Errors
+    /// [`RunError::Motion`] for a fault of the numbers.
+    pub fn run(&self) -> Result<Run, RunError> {
+        Watcher::new(self, true).follow()
+    }
+
+    /// Runs without samples and stages: for outcome and landings.
+    ///
+    /// # Errors
+    /// As [`Prepared::run`].
+    pub fn run_untraced(&self) -> Result<Run, RunError> {
+        Watcher::new(self, false).follow()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_are_turned_into_others() {
+        for turn in [Vec3::ZERO, Vec3::X * PI, Vec3::Y * 3.1, Vec3::new(0.3, -2.0, 1.1), Vec3::Z * -PI] {
+            let wanted = Rotation::by(turn);
+            let axes = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| wanted.apply(axis));
+            let found = rotation_to(axes);
+            for (axis, to) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(axes) {
+                assert!((found.apply(axis) - to).norm() < 1e-14, "{turn:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_face_is_laid_down_by_the_least_turn() {
+        for normal in [Vec3::Y, -Vec3::Y, Vec3::X, Vec3::new(0.6, -0.8, 0.0), Vec3::new(0.0, 0.6, 0.8)] {
+            let laid = laid_down(normal);
+            assert!((laid.apply(normal) + Vec3::Y).norm() < 1e-15, "{normal:?}");
+        }
+        assert_eq!(laid_down(-Vec3::Y), Rotation::NONE);
+    }
+}

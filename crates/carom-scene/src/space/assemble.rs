@@ -1,0 +1,158 @@
+//! From a drawing to a feeder in space.
+
+use crate::approximation::Approximation;
+use crate::assemble::{
+    contact_notes, engine_problems, laid_out, plate as flat_plate, surface_of, walls as flat_walls,
+};
+use crate::drawing::{Drawing, MassSpec, Outline, PlateDrawing, Want};
+use crate::part_drawing::SolidDrawing;
+use crate::problem::{Problem, ProblemKind};
+use crate::quantity::Quantity;
+use crate::roll::spatial::ThrownShape;
+use crate::unit::Dimension;
+use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};
+use carom_motion::spatial::{BodyProblem, Options};
+
+/// A feeder and what is known about its drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SpaceAssembled {
+    pub(crate) feeder: Feeder,
+    pub(crate) shape: ThrownShape,
+    /// The mass centre, in the axes of the drawing \[m\].
+    pub(crate) centre: carom_num::Vec3,
+    pub(crate) notes: Vec<String>,
+    pub(crate) approximations: Vec<Approximation>,
+    pub(crate) wants: Vec<Option<Want>>,
+}
+
+/// Lays out a drawing whose part is a solid.
+pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>> {
+    let Outline::Solid(solid) = &drawing.part.outline else { return Err(vec![]) };
+    let mut problems = vec![];
+    let part = build(solid, drawing).map_err(|found| problems.extend(found)).ok();
+    let size = part.as_ref().map_or(0.0, |part| 2.0 * part.body.reach());
+    let run = drawing.start.to_edge.value + size;
+    let (placed, found) = laid_out(drawing, run);
+    problems.extend(found);
+    let (Some(part), Some(placed)) = (part, placed) else { return Err(problems) };
+    let drawn = &drawing.plates;
+    let faces = part.faces.len();
+    problems.extend(drawing.start.faces.problems(faces, &drawing.start));
+    problems.extend(drawn.iter().filter_map(|plate| unwanted(plate, faces)));
+    let plates =
+        drawn.iter().zip(&placed).map(|(drawn, placed)| wide(drawn, flat_plate(drawing, drawn, placed)));
+    let value = |quantity: &Option<Quantity>| quantity.as_ref().map_or(0.0, |quantity| quantity.value);
+    let start = Start {
+        to_edge: drawing.start.to_edge.value,
+        aside: value(&drawing.start.aside),
+        turn: value(&drawing.start.turn),
+        speed: drawing.start.speed.value,
+        face: drawing.start.faces.most_probable(),
+    };
+    let feeder = Feeder {
+        gravity: drawing.gravity.value,
+        stop: drawing.stop,
+        law: drawing.contact.law,
+        start,
+        plates: plates.collect(),
+        walls: walls(drawing, flat_walls(drawing, &placed, run)),
+        part,
+    };
+    if problems.is_empty() {
+        let found = feeder.prepare(Options::default()).err();
+        problems.extend(found.into_iter().flat_map(|found| engine_problems(found, drawn)));
+    }
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let wants = drawn.iter().map(|plate| plate.want).collect();
+    let (shape, centre) = (solid.shape.clone(), solid.centre.unwrap_or(solid.shape.solid.centre));
+    let approximations = hull_of(&shape);
+    Ok(SpaceAssembled { feeder, notes: contact_notes(drawing), approximations, shape, centre, wants })
+}
+
+/// The part: its hull, and what fills it.
+fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> {
+    let own = solid.shape.solid;
+    let mass = match &drawing.part.mass {
+        MassSpec::Mass(mass) => mass.value,
+        MassSpec::Density { density, .. } => density.value * own.volume,
+    };
+    let inertia = solid.inertia.unwrap_or(own.inertia * (mass / own.volume));
+    let centre = solid.centre.unwrap_or(own.centre);
+    let span = Some(drawing.part.span.clone());
+    let problem =
+        |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, span.clone());
+    let found = Part::about(&solid.shape.hull, centre, (mass, inertia));
+    let part = found.map_err(|problems| {
+        let path =
+            |found: &BodyProblem| if matches!(found, BodyProblem::Mass(_)) { "part.mass" } else { "part" };
+        problems.iter().map(|found| problem(path(found), found.to_string())).collect::<Vec<_>>()
+    })?;
+    if let Some(face) = part.faces.iter().find(|face| face.depth <= 0.0) {
+        let out = Dimension::Length.show(-face.depth);
+        return Err(vec![problem(
+            "part.centre",
+            format!("is {out} outside the hull: no body has its mass centre there"),
+        )]);
+    }
+    Ok(part)
+}
+
+/// A plate of the drawing with its width.
+fn wide(drawn: &PlateDrawing, plate: carom_feeder::Plate) -> Plate {
+    let value = |quantity: &Option<Quantity>| quantity.as_ref().map(|quantity| quantity.value);
+    Plate {
+        name: plate.name,
+        uphill: plate.uphill,
+        edge: plate.edge,
+        width: value(&drawn.width),
+        roll: value(&drawn.roll).unwrap_or(0.0),
+        side_walls: value(&drawn.side_walls).unwrap_or(0.0),
+        friction: plate.friction,
+        restitution: plate.restitution,
+        unbounded: plate.unbounded,
+    }
+}
+
+/// Walls across the drawing, then those beside it.
+fn walls(drawing: &Drawing, flat: Vec<carom_feeder::Wall>) -> Vec<Wall> {
+    let across = flat.into_iter().map(|wall| Wall {
+        form: WallForm::Across { from: wall.from, to: wall.to },
+        name: wall.name,
+        friction: wall.friction,
+        restitution: wall.restitution,
+    });
+    let beside = drawing.groove.iter().flat_map(|groove| {
+        let (_, restitution) = surface_of(drawing, &groove.surface);
+        // Walls that only guide: what nobody says to rub is smooth.
+        let friction = groove.surface.friction.as_ref().map_or(0.0, |friction| friction.value);
+        [("front wall", 0.5), ("back wall", -0.5)].map(|(name, side)| Wall {
+            name: name.to_owned(),
+            form: WallForm::Beside { z: side * groove.width.value },
+            friction,
+            restitution,
+        })
+    });
+    across.chain(beside).collect()
+}
+
+/// What is wanted of a plate that this part cannot do.
+fn unwanted(plate: &PlateDrawing, faces: usize) -> Option<Problem> {
+    let Some(Want::Face(face)) = plate.want.filter(|want| matches!(want, Want::Face(face) if *face >= faces))
+    else {
+        return None;
+    };
+    let message = format!("{face} is no face of this part: its faces are 0 to {}", faces.saturating_sub(1));
+    let path = format!("plate.{}.want", plate.name);
+    Some(Problem::new(ProblemKind::OutOfRange, path, message, Some(plate.span.clone())))
+}
+
+/// What the hull adds to a surface that is not convex.
+fn hull_of(shape: &ThrownShape) -> Vec<Approximation> {
+    let hull = shape.hull.solid().map_or(0.0, |hull| hull.volume);
+    if shape.convex || hull <= 0.0 {
+        return vec![];
+    }
+    vec![Approximation::hull_of_surface(1.0 - shape.solid.volume / hull)]
+}

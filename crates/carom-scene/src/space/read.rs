@@ -1,0 +1,66 @@
+//! A solid part as a scene describes it, and which scenes have one.
+
+use crate::drawing::{MassSpec, Outline, PartDrawing};
+use crate::grammar::{Section, shows_a_solid as described};
+use crate::input::Beside;
+use crate::node::{Node, Value, from_toml};
+use crate::part_drawing::SolidDrawing;
+use crate::problem::{Problem, ProblemKind};
+use crate::roll::spatial::{read_mass, read_shape};
+
+/// True of a scene whose part is a solid.
+pub(crate) fn is_solid(tree: &Node) -> bool {
+    matches!(&tree.value, Value::Table(entries) if described(entries))
+}
+
+/// The same of its text; a text that cannot be read is none.
+pub(super) fn shows_a_solid(source: &str) -> bool {
+    is_solid(&from_toml(source.strip_prefix('\u{feff}').unwrap_or(source)).0)
+}
+
+/// The same of a scene that is being read.
+pub(crate) fn is_in_space(root: &Section<'_>) -> bool {
+    root.knows("groove")
+}
+
+/// What is said of a scene in space to whoever asks what is known of scenes in the plane alone.
+pub(crate) fn refused_in_the_plane(tree: &Node) -> Option<Problem> {
+    is_solid(tree).then(|| {
+        let message = "is a solid: only `carom run` and `carom yield` follow parts in space so far";
+        let span = match &tree.value {
+            Value::Table(entries) => {
+                entries.iter().find(|entry| entry.key == "part").map(|e| e.key_span.clone())
+            }
+            _ => None,
+        };
+        let problem = Problem::new(ProblemKind::Unsupported, "part", message, span);
+        problem.with_help("a part that moves in the plane has an outline: shape = \"box\", \"polygon\" …")
+    })
+}
+
+/// Reads `[part]` of a scene in space; an STL file is looked for beside the scene.
+pub(crate) fn read_solid(root: &Section<'_>, beside: Beside<'_>) -> Option<PartDrawing> {
+    let section = root.section("part")?;
+    let shape = read_shape(&section, beside);
+    let written = section.has("mass") || section.has("density");
+    let heft = if written { read_mass(&section, shape.as_ref()) } else { None };
+    let mass = match section.quantity("mass") {
+        Some(mass) => MassSpec::Mass(mass),
+        None => MassSpec::Density { density: section.quantity("density")?, depth: None },
+    };
+    let (shape, heft) = (shape?, heft?);
+    let own = !heft.homogeneous;
+    let solid = SolidDrawing {
+        shape,
+        centre: own.then_some(heft.centre),
+        inertia: section.has("inertia").then_some(heft.inertia),
+    };
+    Some(PartDrawing {
+        outline: Outline::Solid(Box::new(solid)),
+        mass_centre: None,
+        corner_radius: None,
+        mass,
+        inertia: None,
+        span: section.span(),
+    })
+}
