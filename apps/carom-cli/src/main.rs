@@ -33,6 +33,7 @@ mod roll;
 mod run;
 mod schema;
 mod side_by_side;
+mod space;
 mod studio;
 mod sweep;
 mod table;

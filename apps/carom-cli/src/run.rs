@@ -5,10 +5,11 @@ use crate::failure::Failure;
 use crate::lines::answer_lines;
 use crate::printed::{notes, tell};
 use crate::side_by_side::{self, Done};
+use crate::space;
 use crate::{feed, files, limits, paper, pipeline, table};
 use carom::tasks;
 use carom_feeder::{FeedRun, Run};
-use carom_scene::{FoundLimits, RunReport, Scene, toml_of_json};
+use carom_scene::{AnyScene, FoundLimits, Problems, RunReport, Scene, toml_of_json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -16,7 +17,11 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
     if options.scenes.iter().any(|path| is_stdin(path)) {
         return lines(options, out);
     }
-    let scenes = read(&options.scenes)?;
+    let any = read_any(&options.scenes)?;
+    if any.iter().any(|scene| matches!(scene, AnyScene::Space(_))) {
+        return space::run(any, options, output, out);
+    }
+    let scenes: Vec<Scene> = any.into_iter().filter_map(AnyScene::plane).collect();
     if options.paper
         && let Some(scene) = scenes.iter().find(|scene| scene.paper_line().is_none())
     {
@@ -71,7 +76,10 @@ fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
         return Err(Failure::Usage(message.to_owned()));
     }
     answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
-        let scene = Scene::parse(name, &toml_of_json(name, line)?)?;
+        let scene = match AnyScene::parse(name, &toml_of_json(name, line)?)? {
+            AnyScene::Plane(scene) => *scene,
+            AnyScene::Space(scene) => return Ok(serde_json::to_string(&space::report(&scene)?)?),
+        };
         let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
         let found = options.limits.then(|| scene.limits(&mut limits::progress(name)));
         Ok(serde_json::to_string(&tasks::run_report(&scene, &run, fed.as_ref(), found.as_ref()))?)
@@ -80,9 +88,18 @@ fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
 
 /// Reads every scene, or says what is wrong with each.
 pub(crate) fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
+    read_each(paths, Scene::read)
+}
+
+/// The same of scenes in the plane or in space.
+fn read_any(paths: &[PathBuf]) -> Result<Vec<AnyScene>, Failure> {
+    read_each(paths, AnyScene::read)
+}
+
+fn read_each<S>(paths: &[PathBuf], read: impl Fn(&Path) -> Result<S, Problems>) -> Result<Vec<S>, Failure> {
     let (mut scenes, mut problems) = (vec![], vec![]);
     for path in paths {
-        match Scene::read(path) {
+        match read(path) {
             Ok(scene) => scenes.push(scene),
             Err(found) => problems.push(found),
         }

@@ -6,7 +6,7 @@ use carom_motion::planar::{
     Pose, Twist,
     trace::{Impact, ImpactContact},
 };
-use carom_scene::Scene;
+use carom_scene::{Scene, Wanted};
 use carom_words::{Words, part, run as run_words};
 use std::fmt::Write as _;
 
@@ -20,7 +20,11 @@ const COLUMNS: [usize; 8] = [8, 8, 8, 7, 14, 15, 15, 0];
 
 /// The verdict in a word or two: TURNED, SAME SIDE, FACE 2, or how else the run ended.
 pub(crate) fn headline(feeder: &Feeder, run: &Run) -> String {
-    let headline = run_words::headline(feeder, run);
+    shouted(run_words::headline(feeder, run))
+}
+
+/// A verdict with its word in capitals.
+pub(crate) fn shouted(headline: run_words::Headline) -> String {
     let mut text = headline.word.to_uppercase();
     if let Some(plate) = headline.plate {
         text.push_str(&format!(" on \"{plate}\""));
@@ -62,7 +66,11 @@ pub(crate) fn text(scene: &Scene, run: &Run) -> String {
 
 /// Whether the run ended as the scene wants; `None` where it wants nothing.
 pub(crate) fn as_wanted(scene: &Scene, run: &Run) -> Option<String> {
-    let wanted = scene.wanted(run);
+    met(&scene.wanted(run))
+}
+
+/// The same of what is wanted.
+pub(crate) fn met(wanted: &[Wanted]) -> Option<String> {
     let missed: Vec<String> = wanted
         .iter()
         .filter(|wanted| !wanted.met)
@@ -76,13 +84,18 @@ pub(crate) fn as_wanted(scene: &Scene, run: &Run) -> Option<String> {
 }
 
 fn rows(feeder: &Feeder, run: &Run) -> String {
+    let shown: Vec<[String; 8]> = stage_rows(run).into_iter().map(|row| cells(feeder, run, row)).collect();
+    stages(&shown)
+}
+
+/// The table of stages and strikes.
+pub(crate) fn stages(shown: &[[String; 8]]) -> String {
     let head = ["stage", "plate", "from s", "ms", "speed m/s", "tilt°", "spin 1/s", "ended by"];
     let head = head.map(str::to_owned);
-    let shown: Vec<[String; 8]> = stage_rows(run).into_iter().map(|row| cells(feeder, run, row)).collect();
     let (first, last) = if shown.len() > MOST_ROWS {
         (&shown[..MOST_ROWS / 2], &shown[shown.len() - MOST_ROWS / 2..])
     } else {
-        (&shown[..], &shown[..0])
+        (shown, &shown[..0])
     };
     let width = |column: usize| {
         let cells = shown.iter().map(|row| row[column].chars().count());
@@ -177,7 +190,7 @@ fn what_happened(feeder: &Feeder, impact: &Impact) -> String {
 }
 
 /// One value, or two with an arrow.
-fn from_to(from: String, to: String) -> String {
+pub(crate) fn from_to(from: String, to: String) -> String {
     if from == to { from } else { format!("{from}→{to}") }
 }
 

@@ -13,6 +13,7 @@ pub mod records;
 pub mod regions;
 pub mod roll;
 pub mod solid;
+pub mod space;
 pub mod sweep;
 pub mod tolerance;
 pub mod yields;

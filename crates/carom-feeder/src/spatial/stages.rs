@@ -8,8 +8,7 @@ use carom_motion::spatial::{Mode, Piece, PieceEnd, State, Supports, Touch};
 
 /// The stages of a run: what takes no time is none, and many strikes in a row are one.
 pub(super) fn stages(prepared: &Prepared<'_>, run: &Run) -> Vec<Stage<State, Touch>> {
-    let mut stages = by_name(prepared, run);
-    stages.retain(|stage| stage.end_time > stage.start_time);
+    let stages = by_name(prepared, run);
     let size = prepared.world.body().reach();
     fold(stages, &happened(run), moment(size, prepared.feeder.gravity))
 }
@@ -32,7 +31,9 @@ fn happened(run: &Run) -> Happened<State> {
 
 fn by_name(prepared: &Prepared<'_>, run: &Run) -> Vec<Stage<State, Touch>> {
     let mut out: Vec<Stage<State, Touch>> = vec![];
-    for (i, piece) in run.samples.pieces.iter().enumerate() {
+    // What takes no time is none: what is before it goes on after it.
+    let lasting = |(_, piece): &(usize, &Piece)| piece.end_time > piece.start_time;
+    for (i, piece) in run.samples.pieces.iter().enumerate().filter(lasting) {
         let (name, obstacle) = name_of(prepared, piece);
         let struck = run.impacts.iter().any(|impact| impact.time == piece.start_time);
         let ended_by = end_of(prepared, piece);

@@ -93,6 +93,14 @@ impl AnyScene {
         }
     }
 
+    /// A scene in the plane; `None` of one in space.
+    pub fn plane(self) -> Option<Scene> {
+        match self {
+            Self::Plane(scene) => Some(*scene),
+            Self::Space(_) => None,
+        }
+    }
+
     /// Its name: the file's, without folder and ending.
     pub fn name(&self) -> &str {
         match self {

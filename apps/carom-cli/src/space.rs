@@ -1,0 +1,175 @@
+//! `carom run` of scenes in space.
+
+use crate::args::{Format, Output, RunOptions};
+use crate::failure::Failure;
+use crate::printed::{notes, tell};
+use crate::table::{fixed, from_to, met, shouted, signed, stages};
+use crate::{files, pipeline, table};
+use carom::tasks::{self, space as space_tasks};
+use carom_feeder::Stage;
+use carom_feeder::spatial::{Feeder, Run};
+use carom_figure::milliseconds;
+use carom_motion::spatial::{Impact, State, Touch};
+use carom_num::Vec3;
+use carom_num::elementary::atan2;
+use carom_scene::{AnyScene, SpaceRunReport, SpaceScene};
+use carom_words::{Words, part, run as run_words};
+use std::io::Write;
+
+/// Runs scenes of which some are in space, each by itself.
+pub(crate) fn run(
+    scenes: Vec<AnyScene>,
+    options: &RunOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    if options.paper || options.limits {
+        let message =
+            "--paper and --limits are for parts that move in the plane: one of these scenes has a solid part";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let mut reports = vec![];
+    for scene in scenes {
+        let folder = output.folder(scene.name());
+        let (report, text, path) = match scene {
+            AnyScene::Plane(scene) => {
+                let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
+                let report = serde_json::to_value(tasks::run_report(&scene, &run, fed.as_ref(), None))?;
+                let text = format!("{}{}", table::text(&scene, &run), notes(scene.notes()));
+                (report, text, crate::run::write_report(&scene, &run, fed.as_ref(), None, &folder)?)
+            }
+            AnyScene::Space(scene) => {
+                let run = followed(&scene)?;
+                let report = serde_json::to_value(SpaceRunReport::new(&scene, &run))?;
+                let mut path = folder.clone();
+                for (name, text) in space_tasks::run_files(&scene, &run)? {
+                    path = files::write(&folder, name, &text)?;
+                }
+                (report, text(&scene, &run), path)
+            }
+        };
+        match output.format {
+            Format::Text => writeln!(out, "{text}\nreport {}\n", path.display())?,
+            Format::Json => tell(&format!("report {}", path.display())),
+        }
+        reports.push(report);
+        if options.open {
+            files::open(&path)?;
+        }
+    }
+    if output.format == Format::Json {
+        // One scene is an object, several are a list of them.
+        let text = match reports.as_slice() {
+            [one] => serde_json::to_string_pretty(one)?,
+            several => serde_json::to_string_pretty(several)?,
+        };
+        writeln!(out, "{text}")?;
+    }
+    Ok(())
+}
+
+/// The result of a run, for a line of many.
+pub(crate) fn report(scene: &SpaceScene) -> Result<SpaceRunReport, Failure> {
+    Ok(SpaceRunReport::new(scene, &followed(scene)?))
+}
+
+fn followed(scene: &SpaceScene) -> Result<Run, Failure> {
+    scene.feeder().run().map_err(|error| Failure::Undone(format!("{}: {error}", scene.name())))
+}
+
+/// The verdict first, then stages and strikes in order of time.
+fn text(scene: &SpaceScene, run: &Run) -> String {
+    let feeder = scene.feeder();
+    let mut parts = vec![shouted(run_words::headline_in_space(feeder, run))];
+    match run.final_landing().and_then(|landing| landing.flat) {
+        Some(flat) => parts.push(format!("flat at {flat:.3} s")),
+        None => parts.push(format!("ended at {:.3} s", run.end_time)),
+    }
+    if let Some(k) = run.deciding_strike() {
+        parts.push(format!("struck at {:.2} m/s", run.struck_at[k]));
+        parts.extend(energy_change(&run.impacts[k]).map(|change| format!("{} % energy", signed(change, 0))));
+    }
+    parts.extend(met(&scene.wanted(run)));
+    let mut text = format!("{}\n\n{}", parts.join("   "), stages(&rows(feeder, run)));
+    if run.forks > 0 {
+        text.push_str(&format!(
+            "\n{} of {} strikes have several consistent outcomes: the one that keeps the most contacts is followed\n",
+            run.forks,
+            run.impacts.len()
+        ));
+    }
+    for approximation in scene.approximations() {
+        text.push_str(&format!("\n{}\n", approximation.text));
+    }
+    text.push_str(&notes(scene.notes()));
+    text
+}
+
+/// Change of kinetic energy in an impact [%].
+fn energy_change(impact: &Impact) -> Option<f64> {
+    let change = 100.0 * (impact.kinetic_after - impact.kinetic_before) / impact.kinetic_before;
+    change.is_finite().then_some(change)
+}
+
+/// Stages and the strikes between them, in order of time. Strikes within a stage of many are told by the stage.
+fn rows(feeder: &Feeder, run: &Run) -> Vec<[String; 8]> {
+    let mut rows = vec![];
+    let mut next = 0;
+    for stage in &run.stages {
+        while let Some(impact) = run.impacts.get(next).filter(|impact| impact.time <= stage.start_time) {
+            rows.push(strike_cells(feeder, run, next, impact));
+            next += 1;
+        }
+        while run.impacts.get(next).is_some_and(|impact| impact.time < stage.end_time) {
+            next += 1;
+        }
+        rows.push(stage_cells(feeder, stage));
+    }
+    rows.extend((next..run.impacts.len()).map(|k| strike_cells(feeder, run, k, &run.impacts[k])));
+    rows
+}
+
+fn stage_cells(feeder: &Feeder, stage: &Stage<State, Touch>) -> [String; 8] {
+    let (start, end) = (&stage.start, &stage.end);
+    let both = |of: &dyn Fn(&State) -> f64, digits| from_to(fixed(of(start), digits), fixed(of(end), digits));
+    [
+        stage.name.word().to_owned(),
+        stage.obstacle.map_or("-".to_owned(), |obstacle| part::obstacle(feeder, obstacle)),
+        format!("{:.4}", stage.start_time),
+        milliseconds(stage.end_time - stage.start_time),
+        both(&|state| state.velocity.norm(), 3),
+        both(&|state| tilt(feeder, state), 1),
+        both(&|state| state.spin.norm(), 2),
+        run_words::stage_end(feeder, &stage.ended_by),
+    ]
+}
+
+fn strike_cells(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> [String; 8] {
+    let change =
+        energy_change(impact).map_or(String::new(), |change| format!(", {} % energy", signed(change, 0)));
+    let count = |set: carom_motion::spatial::Supports| set.len();
+    let (slips, kept) = (count(impact.sliding), count(impact.kept));
+    let parts = [(slips, "slip"), (kept - slips, "stick"), (count(impact.opened()), "separate")];
+    let told: Vec<String> = parts
+        .iter()
+        .filter(|(number, _)| *number > 0)
+        .map(|(number, does)| if *number == 1 { format!("1 {does}s") } else { format!("{number} {does}") })
+        .collect();
+    [
+        "STRIKE".to_owned(),
+        part::obstacle(feeder, run.struck[k]),
+        format!("{:.4}", impact.time),
+        String::new(),
+        fixed(run.struck_at[k], 3),
+        String::new(),
+        from_to(fixed(impact.spin_before.norm(), 2), fixed(impact.spin_after.norm(), 2)),
+        format!("of {} contacts {}{change}", count(impact.touching), told.join(", ")),
+    ]
+}
+
+/// The angle between the face that was down at the start and level ground [°].
+fn tilt(feeder: &Feeder, state: &State) -> f64 {
+    let down = feeder.part.faces.get(feeder.start.face).map_or(Vec3::Y, |face| face.normal);
+    let down = state.attitude.apply(down);
+    atan2(down.cross(-Vec3::Y).norm(), -down.y).to_degrees()
+}
