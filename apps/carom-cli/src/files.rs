@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::printed::tell;
-use carom_scene::Scene;
+use carom_scene::Drawn;
 use carom_scene::columns::ColumnsError;
 use carom_sweep::disk;
 use std::path::{Component, Path, PathBuf};
@@ -68,8 +68,8 @@ pub(crate) fn write_table(
 }
 
 /// Copies the file that draws a scene's part into a folder in which scenes of it are saved: they name it as the scene does.
-pub(crate) fn bring_outline(scene: &Scene, folder: &Path) -> Result<(), Failure> {
-    let Some((name, file)) = scene.outline_file() else { return Ok(()) };
+pub(crate) fn bring_outline(scene: &impl Drawn, folder: &Path) -> Result<(), Failure> {
+    let Some((name, file)) = scene.part_file() else { return Ok(()) };
     let inside =
         Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
     if Path::new(name).is_absolute() {

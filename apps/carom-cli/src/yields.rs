@@ -9,7 +9,7 @@ use crate::printed::with_files;
 use crate::progress::{Progress, spent};
 use carom::tasks::axes::{Asker, Complaints, plate};
 use carom::tasks::yields::{LINES, LocatedYield, YieldStudy, is_of_a_drop};
-use carom_scene::{Scene, Varied};
+use carom_scene::{AnyScene, Drawn, Varied};
 use carom_study::yields::{Plan, Points, REPETITIONS};
 use clap::Args;
 use std::io::Write;
@@ -44,24 +44,41 @@ pub(crate) struct YieldOptions {
 }
 
 pub(crate) fn yields(options: &YieldOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
-    let scene = Scene::read(&options.scene)?;
+    match AnyScene::read(&options.scene)? {
+        AnyScene::Plane(scene) => of_scene(&*scene, &scene.varied()?, options, output, out),
+        AnyScene::Space(scene) => of_scene(&*scene, &scene.varied()?, options, output, out),
+    }
+}
+
+/// The study of a scene, in the plane or in space.
+fn of_scene<S: Drawn>(
+    scene: &S,
+    varied: &Varied<'_, S>,
+    options: &YieldOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     let mut complaints = Complaints::of(Asker::Command);
-    let plate = plate(&scene, options.plate.as_deref(), &mut complaints);
+    let plate = plate(scene, options.plate.as_deref(), &mut complaints);
     complaints.finish()?;
-    let varied = scene.varied()?;
     let points = if options.plain { Points::Random } else { Points::Sobol };
     let count = if options.locate { options.lines } else { options.samples };
-    let plan = YieldStudy::plan(&varied, count, options.seed, points, plate);
+    let plan = YieldStudy::plan(varied, count, options.seed, points, plate);
     if options.locate {
-        return located(&varied, plan, output, out);
+        return located(varied, plan, output, out);
     }
-    let (studied, seconds) = studied(&varied, plan)?;
+    let (studied, seconds) = studied(varied, plan)?;
     let page = deliver(&studied, seconds, output, out)?;
     if options.open { files::open(&page) } else { Ok(()) }
 }
 
 /// Locates, and writes and says what came out.
-fn located(varied: &Varied<'_>, plan: Plan, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+fn located<S: Drawn>(
+    varied: &Varied<'_, S>,
+    plan: Plan,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     let progress = Progress::new("drops", None);
     let name = varied.scene().name();
     let found = LocatedYield::of(varied, plan, || progress.step())
@@ -79,7 +96,7 @@ fn located(varied: &Varied<'_>, plan: Plan, output: &Output, out: &mut impl Writ
 }
 
 /// The study, and how long it took [s].
-fn studied<'s>(varied: &'s Varied<'s>, plan: Plan) -> Result<(YieldStudy<'s>, f64), Failure> {
+fn studied<'s, S: Drawn>(varied: &'s Varied<'s, S>, plan: Plan) -> Result<(YieldStudy<'s, S>, f64), Failure> {
     let progress = Progress::new("drops", Some(plan.rounded() as usize * REPETITIONS));
     let name = varied.scene().name();
     let mut studied = YieldStudy::sampled(varied, plan, || progress.step())
@@ -97,7 +114,7 @@ fn studied<'s>(varied: &'s Varied<'s>, plan: Plan) -> Result<(YieldStudy<'s>, f6
 
 /// Writes everything and says what came out; returns where the page is.
 fn deliver(
-    studied: &YieldStudy<'_>,
+    studied: &YieldStudy<'_, impl Drawn>,
     seconds: f64,
     output: &Output,
     out: &mut impl Write,

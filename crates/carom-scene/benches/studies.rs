@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, reason = "the examples are known to be scenes")]
 #![allow(clippy::print_stdout, reason = "what a yield is known to belongs to its time")]
 
-use carom_scene::Scene;
+use carom_scene::{Drawn, Scene};
 use carom_study::regions::{Options, Range, cells};
 use carom_study::yields::{Plan, Points, REPETITIONS, locate, sample};
 use carom_study::{Dropped, Ending, map};

@@ -1,6 +1,7 @@
 //! The layouts that a scene's `[design]` leaves open.
 
 use crate::drawing::{Free, Want};
+use crate::drawn::Drawn;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::scene::{NamedQuantity, Scene};
 use crate::unit::Dimension;
@@ -159,7 +160,7 @@ impl Space for DesignSpace<'_> {
     }
 
     fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>> {
-        let varied = Varied::of(Cow::Owned(self.scene(point).ok()?), widened).ok()?;
+        let varied = Varied::<Scene>::of(Cow::Owned(self.scene(point).ok()?), widened).ok()?;
         Some(Box::new(move |point: &[f64]| varied.feeder(point)))
     }
 }

@@ -1,10 +1,10 @@
 //! `[start]`: how the part starts, and on which of its faces.
 
 use crate::drawing::{StartDrawing, StartFaces};
+use crate::drawn::Drawn;
 use crate::grammar::{Mixed, Section};
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
-use crate::scene::Scene;
 use carom_motion::planar::Shape;
 
 carom_words::words! {
@@ -58,8 +58,8 @@ fn whole(number: f64) -> usize {
 pub(crate) struct FaceMix(Vec<(usize, f64)>);
 
 impl FaceMix {
-    pub(crate) fn of(scene: &Scene) -> Self {
-        Self(scene.drawing().start.faces.shares(&scene.feeder().part.body.shape))
+    pub(crate) fn of(scene: &impl Drawn) -> Self {
+        Self(scene.start_faces())
     }
 
     /// Each face and its share.
@@ -102,24 +102,20 @@ impl StartFaces {
         shares.into_iter().map(|(face, share)| (face, share / all)).collect()
     }
 
-    /// The same where the faces are numbered, each with its share.
-    pub(crate) fn most_probable(&self) -> usize {
-        match self {
-            Self::One(face) => *face,
-            // Of equally probable ones the first.
-            Self::Mixed(shares) => {
-                shares.iter().rev().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(face, _)| *face)
-            }
-            Self::Resting => 0,
-        }
+    /// The same of faces that are numbered, each with its share.
+    pub(crate) fn numbered(&self) -> Vec<(usize, f64)> {
+        let shares = match self {
+            Self::One(face) => vec![(*face, 1.0)],
+            Self::Mixed(shares) => shares.clone(),
+            Self::Resting => vec![],
+        };
+        let all: f64 = shares.iter().map(|(_, share)| share).sum();
+        shares.into_iter().map(|(face, share)| (face, share / all)).collect()
     }
 
     /// The face on which the part starts where it is dropped once: the most probable one.
     pub(crate) fn usual(&self, shape: &Shape) -> usize {
-        let shares = self.shares(shape);
-        // Of equally probable ones the first.
-        let most = shares.iter().rev().max_by(|a, b| a.1.total_cmp(&b.1));
-        most.map_or(0, |(face, _)| *face)
+        most_probable(&self.shares(shape))
     }
 
     /// What is wrong with them for a part that has so many faces.
@@ -148,4 +144,9 @@ impl StartFaces {
         }
         found
     }
+}
+
+/// The face with the largest share; of equally probable ones the first.
+pub(crate) fn most_probable(shares: &[(usize, f64)]) -> usize {
+    shares.iter().rev().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(face, _)| *face)
 }

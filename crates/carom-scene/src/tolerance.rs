@@ -46,3 +46,5 @@ pub(crate) const DXF_WHOLE_TURN: f64 = 1e-9;
 pub(crate) const ARC_RADII: f64 = 1e-3;
 /// An arc that turns by less than this [rad] is a straight line.
 pub(crate) const STRAIGHT_ARC: f64 = 1e-9;
+/// Unit normals that differ by less than this are of one face.
+pub(crate) const ONE_FACE: f64 = 1e-6;

@@ -1,13 +1,12 @@
 //! One scene drawn many times, with some of its quantities moved.
 
 use crate::assemble::assemble;
-use crate::drawing::{Drawing, StartFaces};
+use crate::drawn::{Drawn, moved};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene};
 use crate::unit::{Dimension, Unit};
 use crate::visit::{canonical, unknown};
-use carom_feeder::Feeder;
 use std::borrow::Cow;
 
 /// A scene with some of its quantities left open: a feeder for every choice of their values.
@@ -34,8 +33,8 @@ use std::borrow::Cow;
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Variants<'s> {
-    scene: Cow<'s, Scene>,
+pub struct Variants<'s, S: Drawn = Scene> {
+    scene: Cow<'s, S>,
     /// The open quantities, and each one's place in the order of the drawing.
     open: Vec<(NamedQuantity, usize)>,
 }
@@ -59,9 +58,9 @@ impl Scene {
     }
 }
 
-impl<'s> Variants<'s> {
+impl<'s, S: Drawn> Variants<'s, S> {
     /// Leaves these quantities of a scene open.
-    pub(crate) fn of(scene: Cow<'s, Scene>, paths: &[&str]) -> Result<Self, Problems> {
+    pub(crate) fn of(scene: Cow<'s, S>, paths: &[&str]) -> Result<Self, Problems> {
         let known = scene.quantities();
         let names: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
         let (mut open, mut problems): (Vec<(NamedQuantity, usize)>, Vec<Problem>) = (vec![], vec![]);
@@ -117,9 +116,9 @@ fn written(quantity: &NamedQuantity, value: f64, tolerance: Option<Tolerance>) -
     }
 }
 
-impl Variants<'_> {
+impl<S: Drawn> Variants<'_, S> {
     /// The scene as it is drawn.
-    pub(crate) fn drawn(&self) -> &Scene {
+    pub(crate) fn drawn(&self) -> &S {
         &self.scene
     }
 
@@ -132,29 +131,13 @@ impl Variants<'_> {
     ///
     /// # Errors
     /// A value that is not allowed, or a missing one; a drawing that the values make impossible.
-    pub fn feeder(&self, values: &[f64]) -> Result<Feeder, Problems> {
-        self.assembled(self.drawing(values)?)
+    pub fn feeder(&self, values: &[f64]) -> Result<S::Feeder, Problems> {
+        self.scene.moved(&self.placed(values)?, None).map_err(|found| self.problems(found))
     }
 
     /// As [`Variants::feeder`], of a part that starts on this face.
-    pub(crate) fn feeder_on(&self, values: &[f64], face: usize) -> Result<Feeder, Problems> {
-        let mut drawing = self.drawing(values)?;
-        drawing.start.faces = StartFaces::One(face);
-        self.assembled(drawing)
-    }
-
-    fn assembled(&self, drawing: Drawing) -> Result<Feeder, Problems> {
-        Ok(assemble(&drawing).map_err(|found| self.problems(found))?.feeder)
-    }
-
-    /// The whole scene with these values, SI.
-    ///
-    /// # Errors
-    /// As [`Variants::feeder`].
-    pub fn scene(&self, values: &[f64]) -> Result<Scene, Problems> {
-        let drawing = self.drawing(values)?;
-        let assembled = assemble(&drawing).map_err(|found| self.problems(found))?;
-        Ok(self.scene.redrawn(drawing, assembled))
+    pub(crate) fn feeder_on(&self, values: &[f64], face: usize) -> Result<S::Feeder, Problems> {
+        self.scene.moved(&self.placed(values)?, Some(face)).map_err(|found| self.problems(found))
     }
 
     /// As [`Variants::text`], with the tolerances that the file has.
@@ -216,8 +199,8 @@ impl Variants<'_> {
         self.feeder(values)?;
         let mut places = vec![];
         // A face that is not written is the first, and only one of several is chosen.
-        if let (Some(face), Some(span)) = (face, &self.scene.drawing().start.face_span) {
-            places.push((span.clone(), face.to_string()));
+        if let (Some(face), Some(span)) = (face, self.scene.face_span()) {
+            places.push((span, face.to_string()));
         }
         let mut problems = vec![];
         for (k, ((quantity, _), value)) in self.open.iter().zip(values).enumerate() {
@@ -244,7 +227,8 @@ impl Variants<'_> {
         Ok(text)
     }
 
-    fn drawing(&self, values: &[f64]) -> Result<Drawing, Problems> {
+    /// The values of the open quantities, each with its place.
+    fn placed(&self, values: &[f64]) -> Result<Vec<(usize, f64)>, Problems> {
         let mut problems = vec![];
         for (i, (quantity, _)) in self.open.iter().enumerate() {
             let value = values.get(i).copied().unwrap_or(f64::NAN);
@@ -257,18 +241,22 @@ impl Variants<'_> {
         if !problems.is_empty() {
             return Err(self.problems(problems));
         }
-        let mut drawing = self.scene.drawing().clone();
-        let mut place = 0;
-        drawing.visit(&mut |_, quantity| {
-            if let Some(i) = self.open.iter().position(|(_, open)| *open == place) {
-                quantity.move_to(values[i]);
-            }
-            place += 1;
-        });
-        Ok(drawing)
+        Ok(self.open.iter().zip(values).map(|((_, place), value)| (*place, *value)).collect())
     }
 
     fn problems(&self, found: Vec<Problem>) -> Problems {
         Problems::new(self.scene.file(), self.scene.source(), found)
+    }
+}
+
+impl Variants<'_> {
+    /// The whole scene with these values, SI.
+    ///
+    /// # Errors
+    /// As [`Variants::feeder`].
+    pub fn scene(&self, values: &[f64]) -> Result<Scene, Problems> {
+        let drawing = moved(self.scene.drawing(), &self.placed(values)?, None);
+        let assembled = assemble(&drawing).map_err(|found| self.problems(found))?;
+        Ok(self.scene.redrawn(drawing, assembled))
     }
 }

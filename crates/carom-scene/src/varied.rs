@@ -1,11 +1,12 @@
 //! A scene whose quantities are not exactly what is drawn.
 
+use crate::drawn::Drawn;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene};
+use crate::space::SpaceScene;
 use crate::start::FaceMix;
 use crate::variants::Variants;
-use carom_feeder::{Feeder, Run};
 use carom_num::normal::{probability, quantile};
 use std::borrow::Cow;
 
@@ -75,8 +76,8 @@ impl Tolerance {
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Varied<'s> {
-    variants: Variants<'s>,
+pub struct Varied<'s, S: Drawn = Scene> {
+    variants: Variants<'s, S>,
     /// How many times as wide tolerances are.
     widened: f64,
     faces: FaceMix,
@@ -98,21 +99,25 @@ impl Scene {
     pub fn widened(&self, by: f64) -> Result<Varied<'_>, Problems> {
         Varied::of(Cow::Borrowed(self), by)
     }
+}
 
-    /// Does a run end as is wanted on every plate? `None` where nothing is wanted.
-    pub fn ends_as_wanted(&self, run: &Run) -> Option<bool> {
-        let wanted = self.wanted(run);
-        (!wanted.is_empty()).then(|| wanted.iter().all(|wanted| wanted.met))
+impl SpaceScene {
+    /// What differs from part to part of this scene.
+    ///
+    /// # Errors
+    /// As [`Scene::varied`].
+    pub fn varied(&self) -> Result<Varied<'_, Self>, Problems> {
+        Varied::of(Cow::Borrowed(self), 1.0)
     }
 }
 
-impl<'s> Varied<'s> {
+impl<'s, S: Drawn> Varied<'s, S> {
     /// A scene's tolerances, so many times as wide.
-    pub(crate) fn of(scene: Cow<'s, Scene>, widened: f64) -> Result<Self, Problems> {
+    pub(crate) fn of(scene: Cow<'s, S>, widened: f64) -> Result<Self, Problems> {
         let all = scene.quantities();
         let paths: Vec<&str> =
             all.iter().filter(|quantity| quantity.varies()).map(|quantity| quantity.path.as_str()).collect();
-        let faces = FaceMix::of(&scene);
+        let faces = FaceMix::of(&*scene);
         if paths.is_empty() && !faces.varies() {
             let problem = Problem::new(
                 ProblemKind::MissingKey,
@@ -127,9 +132,9 @@ impl<'s> Varied<'s> {
     }
 }
 
-impl Varied<'_> {
+impl<S: Drawn> Varied<'_, S> {
     /// The scene as it is drawn.
-    pub fn scene(&self) -> &Scene {
+    pub fn scene(&self) -> &S {
         self.variants.drawn()
     }
 
@@ -193,7 +198,7 @@ impl Varied<'_> {
     }
 
     /// The feeder at a point; `None` where what is drawn cannot be.
-    pub fn feeder(&self, point: &[f64]) -> Option<Feeder> {
+    pub fn feeder(&self, point: &[f64]) -> Option<S::Feeder> {
         self.variants.feeder_on(&self.values(point), self.face(point)).ok()
     }
 

@@ -3,7 +3,8 @@
 use crate::drawing::Want;
 use crate::scene::Scene;
 use crate::space::SpaceScene;
-use carom_feeder::{Landing, Run, Verdict, spatial};
+use carom_feeder::{Landing, Verdict};
+use carom_study::Landed;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -32,18 +33,18 @@ pub struct Wanted {
 }
 
 impl Scene {
-    /// Each plate on which something is wanted.
-    pub fn wanted(&self, run: &Run) -> Vec<Wanted> {
+    /// Each plate on which something is wanted, by a run.
+    pub fn wanted(&self, run: &impl Landed) -> Vec<Wanted> {
         let names = self.feeder().plates.iter().map(|plate| plate.name.as_str());
-        wanted(names, self.wants(), &run.landings)
+        wanted(names, self.wants(), run.landings())
     }
 }
 
 impl SpaceScene {
-    /// Each plate on which something is wanted.
-    pub fn wanted(&self, run: &spatial::Run) -> Vec<Wanted> {
+    /// Each plate on which something is wanted, by a run.
+    pub fn wanted(&self, run: &impl Landed) -> Vec<Wanted> {
         let names = self.feeder().plates.iter().map(|plate| plate.name.as_str());
-        wanted(names, self.wants(), &run.landings)
+        wanted(names, self.wants(), run.landings())
     }
 }
 

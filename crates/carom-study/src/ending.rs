@@ -1,6 +1,7 @@
 //! How a drop ends, as far as studies tell drops apart.
 
-use carom_feeder::{Feeder, Outcome, Run, Verdict};
+use crate::device::{Device, Landed};
+use carom_feeder::{Feeder, Outcome, Run, RunError, Verdict};
 use carom_motion::planar::Options;
 
 /// How a part's drop ends on the plate that a study looks at.
@@ -43,10 +44,10 @@ impl Ending {
     /// assert_eq!(Ending::of(&run, 1), Ending::Stays);
     /// assert_eq!(Ending::of(&run, 0), Ending::Otherwise(Outcome::Landed));
     /// ```
-    pub fn of(run: &Run, plate: usize) -> Self {
-        match run.landings.iter().find(|landing| landing.plate == plate) {
+    pub fn of(run: &impl Landed, plate: usize) -> Self {
+        match run.landings().iter().find(|landing| landing.plate == plate) {
             Some(landing) => landing.verdict.map_or(Self::Stays, Self::Lies),
-            None => Self::Otherwise(run.outcome),
+            None => Self::Otherwise(run.outcome()),
         }
     }
 
@@ -77,11 +78,11 @@ impl Ending {
 /// assert!((dropped.impact_speed(1).unwrap() - 7.0).abs() < 1e-12);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Dropped {
+pub struct Dropped<R = Run> {
     /// How it ends on the plate that the study looks at.
     pub ending: Ending,
     /// The run, without a trace; `None` where there was none.
-    pub run: Option<Run>,
+    pub run: Option<R>,
 }
 
 impl Dropped {
@@ -103,21 +104,41 @@ impl Dropped {
             Ok(Ok(run)) => Self { ending: Ending::of(&run, plate), run: Some(run) },
         }
     }
+}
+
+impl<R: Landed> Dropped<R> {
+    /// Drops a part through a feeder, in the plane or in space; `None` where what is drawn cannot be.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_feeder::spatial::examples;
+    /// use carom_study::{Dropped, Ending};
+    /// let drop = Dropped::through(Some(&examples::two_plates()), 1);
+    /// assert_eq!(drop.ending, Ending::Lies(carom_feeder::Verdict::Same));
+    /// ```
+    pub fn through<D: Device<Run = R>>(device: Option<&D>, plate: usize) -> Self {
+        let Some(device) = device else { return Self { ending: Ending::Impossible, run: None } };
+        match device.drop_part() {
+            Ok(run) => Self { ending: Ending::of(&run, plate), run: Some(run) },
+            Err(RunError::Problems(_)) => Self { ending: Ending::Impossible, run: None },
+            Err(_) => Self { ending: Ending::Failed, run: None },
+        }
+    }
 
     /// Speed of the striking point when it first strikes a plate [m/s]; `None` where it never touches it.
     pub fn impact_speed(&self, plate: usize) -> Option<f64> {
-        let landings = self.run.iter().flat_map(|run| &run.landings);
+        let landings = self.run.iter().flat_map(Landed::landings);
         landings.filter(|landing| landing.plate == plate).map(|landing| landing.impact_speed).next()
     }
 
     /// When the part first lies flat on a plate [s].
     pub fn flat(&self, plate: usize) -> Option<f64> {
-        let landings = self.run.iter().flat_map(|run| &run.landings);
+        let landings = self.run.iter().flat_map(Landed::landings);
         landings.filter(|landing| landing.plate == plate).find_map(|landing| landing.flat)
     }
 
     /// The smallest decided inequality of the run, scaled.
     pub fn margin(&self) -> Option<f64> {
-        self.run.as_ref().map(|run| run.margin).filter(|margin| margin.is_finite())
+        self.run.as_ref().map(Landed::margin).filter(|margin| margin.is_finite())
     }
 }

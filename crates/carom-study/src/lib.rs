@@ -16,6 +16,7 @@
 
 pub mod corner;
 pub mod design;
+mod device;
 mod ending;
 mod ends;
 pub mod feeds;
@@ -33,6 +34,7 @@ pub mod sweep;
 mod tolerance;
 pub mod yields;
 
+pub use device::{Device, Landed};
 pub use ending::{Dropped, Ending};
 pub use ends::Ends;
 

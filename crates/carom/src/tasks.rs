@@ -22,9 +22,9 @@ use carom_feeder::{Feed, FeedRun, Run, RunError};
 use carom_figure::{Axis, Draft, Extra, QuantityLimit, Wish};
 use carom_motion::planar::Options;
 use carom_scene::{
-    FeedReport, FoundLimits, Limit, LimitEnd, MeasureAxis, Problems, RunReport, Scene, Want, labelled,
+    Drawn, FeedReport, FoundLimits, Limit, LimitEnd, MeasureAxis, Problems, RunReport, Scene, Want, labelled,
 };
-use carom_words::part;
+use carom_words::part::{self, Names};
 
 /// What makes the pages, with its version.
 pub const MADE_BY: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
@@ -243,28 +243,27 @@ pub fn run_files(
 /// assert!(tasks::plate(&scene, Some("third")).unwrap_err().starts_with("\"third\" is none of"));
 /// # Ok::<(), carom::Error>(())
 /// ```
-pub fn plate(scene: &Scene, named: Option<&str>) -> Result<usize, String> {
-    let plates = &scene.feeder().plates;
-    let Some(named) = named else { return Ok(plates.len() - 1) };
-    let by_name = plates.iter().position(|plate| plate.name == named);
-    let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < plates.len()));
+pub fn plate(scene: &impl Drawn, named: Option<&str>) -> Result<usize, String> {
+    let (feeder, count) = (scene.feeder(), scene.feeder().plate_count());
+    let Some(named) = named else { return Ok(count - 1) };
+    let by_name = (0..count).position(|plate| feeder.given(plate) == named);
+    let found = by_name.or_else(|| named.parse().ok().filter(|number| *number < count));
     found.ok_or_else(|| {
-        let names: Vec<String> =
-            (0..plates.len()).map(|plate| part::obstacle(scene.feeder(), plate)).collect();
+        let names: Vec<String> = (0..count).map(|plate| part::obstacle(scene.feeder(), plate)).collect();
         format!("\"{named}\" is none of {}", names.join(", "))
     })
 }
 
-/// What a scene wants of a part, in words; `None` where it wants nothing.
-pub fn wants(scene: &Scene) -> Option<String> {
-    let wants = scene.wants().iter().enumerate().filter_map(|(plate, want)| {
+/// What is wanted of a part on each plate, in words; `None` where nothing is.
+pub fn wants(feeder: &impl Names, wants: &[Option<Want>]) -> Option<String> {
+    let wants = wants.iter().enumerate().filter_map(|(plate, want)| {
         let want = match want.as_ref()? {
             Want::Any => return None,
             Want::Same => "same side".to_owned(),
             Want::Turned => "turned".to_owned(),
             Want::Face(face) => format!("face {face}"),
         };
-        Some(format!("{want} on \"{}\"", part::obstacle(scene.feeder(), plate)))
+        Some(format!("{want} on \"{}\"", part::obstacle(feeder, plate)))
     });
     let wants: Vec<String> = wants.collect();
     (!wants.is_empty()).then(|| wants.join(", "))

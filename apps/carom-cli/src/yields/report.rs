@@ -3,7 +3,7 @@
 use crate::printed::notes;
 use crate::table::fixed;
 use carom::tasks::yields::{RESTITUTIONS, YieldStudy};
-use carom_scene::labelled;
+use carom_scene::{Drawn, labelled};
 use carom_study::yields::Spread;
 use carom_words::aligned;
 use carom_words::study::percent;
@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 /// For a person.
-pub(super) fn text(studied: &YieldStudy<'_>, files: &[PathBuf], seconds: f64) -> String {
+pub(super) fn text(studied: &YieldStudy<'_, impl Drawn>, files: &[PathBuf], seconds: f64) -> String {
     let found = &studied.found;
     let [share, interval] = percent(&found.wanted);
     let mut text =
@@ -54,7 +54,7 @@ pub(super) fn text(studied: &YieldStudy<'_>, files: &[PathBuf], seconds: f64) ->
 }
 
 /// Where to go from a layout that never does what is wanted.
-fn elsewhere(studied: &YieldStudy<'_>) -> &'static str {
+fn elsewhere(studied: &YieldStudy<'_, impl Drawn>) -> &'static str {
     let kept = if studied.limits.is_some() { &studied.found.kept } else { &studied.found.wanted };
     match kept.count {
         0 => {
@@ -65,7 +65,7 @@ fn elsewhere(studied: &YieldStudy<'_>) -> &'static str {
 }
 
 /// Speeds on each plate.
-fn plates(studied: &YieldStudy<'_>) -> String {
+fn plates(studied: &YieldStudy<'_, impl Drawn>) -> String {
     let heads = ["plate", "strikes at m/s", "5 to 95 %", "slides up to m/s"];
     let mut rows = vec![heads.map(str::to_owned).to_vec()];
     for (plate, spread) in studied.found.plates.iter().enumerate().skip(1) {
@@ -82,7 +82,7 @@ fn plates(studied: &YieldStudy<'_>) -> String {
 }
 
 /// From which face to which.
-fn transitions(studied: &YieldStudy<'_>) -> String {
+fn transitions(studied: &YieldStudy<'_, impl Drawn>) -> String {
     let found = &studied.found.transitions;
     if found.is_empty() {
         return String::new();
@@ -105,7 +105,7 @@ fn transitions(studied: &YieldStudy<'_>) -> String {
 }
 
 /// What a loop comes to, where rejected parts come back on a face of their own.
-fn recirculation(studied: &YieldStudy<'_>) -> String {
+fn recirculation(studied: &YieldStudy<'_, impl Drawn>) -> String {
     let Some(found) = studied.found.recirculation.as_ref().filter(|found| found.starts.len() > 1) else {
         return String::new();
     };
@@ -118,7 +118,7 @@ fn recirculation(studied: &YieldStudy<'_>) -> String {
     )
 }
 
-fn deciders(studied: &YieldStudy<'_>) -> String {
+fn deciders(studied: &YieldStudy<'_, impl Drawn>) -> String {
     let ranked = match studied.ranked() {
         Ok(ranked) => ranked,
         Err(why) => return format!("\nwhich tolerance decides: {why}\n"),
@@ -132,7 +132,7 @@ fn deciders(studied: &YieldStudy<'_>) -> String {
 }
 
 /// Laws by restitution.
-fn laws(studied: &YieldStudy<'_>) -> String {
+fn laws(studied: &YieldStudy<'_, impl Drawn>) -> String {
     let mut rows = vec![vec!["law, nothing varies".to_owned()]];
     rows[0].extend(RESTITUTIONS.iter().map(|e| format!("e = {e}")));
     for row in studied.laws.chunks(RESTITUTIONS.len()) {

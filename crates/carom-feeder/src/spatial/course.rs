@@ -10,7 +10,8 @@ use crate::tolerance::FLAT_FACE;
 use carom_impact::spatial::Conclusion;
 use carom_motion::MotionError;
 use carom_motion::spatial::{
-    End, Impact, Mode, Observer, Piece, Run as Motion, Samples, State, Supports, run as run_motion,
+    End, Impact, Mode, Observer, Piece, Run as Motion, Samples, State, Supports, Touch as Feature,
+    run as run_motion,
 };
 use std::ops::ControlFlow;
 
@@ -126,14 +127,12 @@ impl<'p, 'f> Watcher<'p, 'f> {
         run
     }
 
-    fn jam(&self) -> Jam<carom_motion::spatial::Touch> {
-        let world = &self.prepared.world;
-        let owner = |support: usize| self.owner(support);
-        let touch = |support| Some(Touch { obstacle: owner(support), feature: world.touch(support)? });
-        let mut owners: Vec<usize> = self.held.iter().map(owner).collect();
+    fn jam(&self) -> Jam<Feature> {
+        let touch = |support| Touch { obstacle: self.owner(support), feature: self.prepared.touch(support) };
+        let mut owners: Vec<usize> = self.held.iter().map(|support| self.owner(support)).collect();
         owners.dedup();
         let kind = if owners.len() > 1 { JamKind::Wedged } else { JamKind::Unresolved };
-        Jam { kind, contacts: self.held.iter().filter_map(touch).collect() }
+        Jam { kind, contacts: self.held.iter().map(touch).collect() }
     }
 
     fn last(&self) -> usize {

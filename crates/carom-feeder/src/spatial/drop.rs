@@ -6,7 +6,7 @@ use super::run::Run;
 use crate::drop::RunError;
 use crate::feeder::FeederProblem;
 use crate::tolerance::{CROSSES_START, FARTHEST, NO_LENGTH, ON_ONE_LINE, OPPOSITE, VERTICAL, WIDE};
-use carom_motion::spatial::{Friction, Obstacle, Options, Plane, State, Supports, World};
+use carom_motion::spatial::{Friction, Obstacle, Options, Plane, State, Supports, Touch, World};
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec2, Vec3};
 use std::f64::consts::PI;
@@ -319,6 +319,17 @@ impl Prepared<'_> {
         let wide = |(a, b): (usize, usize)| (places[a] - from).cross(places[b] - from).norm();
         let pairs = (0..places.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
         pairs.map(wide).fold(0.0, f64::max) > ON_ONE_LINE * reach * reach
+    }
+
+    /// What of the part touches what of an obstacle, faces by their numbers among [`super::feeder::Part::faces`]; of a support that there is not, corner 0.
+    pub fn touch(&self, support: usize) -> Touch {
+        match self.world.touch(support).unwrap_or(Touch::Point { point: 0, face: 0 }) {
+            Touch::Face { face, corner } => {
+                let own = self.world.face_normal(face).and_then(|normal| self.feeder.part.facing(normal));
+                Touch::Face { face: own.unwrap_or(face), corner }
+            }
+            other => other,
+        }
     }
 
     /// The plate or wall that a support of the world is on: plates first, then walls.

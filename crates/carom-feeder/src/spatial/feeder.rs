@@ -69,12 +69,14 @@ impl Part {
         Ok(Self { body: Body::new(mass, inertia, corners)?, faces })
     }
 
+    /// The face with this unit normal, body axes; `None` where there is none.
+    pub fn facing(&self, normal: Vec3) -> Option<usize> {
+        self.faces.iter().position(|face| (face.normal - normal).norm() <= crate::tolerance::OPPOSITE)
+    }
+
     /// The face that looks the other way, by its number; `None` where there is none.
     pub fn opposite(&self, face: usize) -> Option<usize> {
-        let normal = self.faces.get(face)?.normal;
-        let least =
-            |(_, other): &(usize, &Face)| (other.normal + normal).norm() <= crate::tolerance::OPPOSITE;
-        self.faces.iter().enumerate().find(least).map(|(i, _)| i)
+        self.facing(-self.faces.get(face)?.normal)
     }
 }
 

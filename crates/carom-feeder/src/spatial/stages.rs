@@ -78,11 +78,7 @@ fn name_of(prepared: &Prepared<'_>, piece: &Piece) -> (StageName, Option<usize>)
 
 fn end_of(prepared: &Prepared<'_>, piece: &Piece) -> StageEnd<Touch> {
     let held = piece.mode.held(&prepared.world);
-    let on = |support: usize| {
-        let feature = prepared.world.touch(support);
-        let feature = feature.unwrap_or(Touch::Point { point: 0, face: 0 });
-        On { obstacle: prepared.owner(support), feature }
-    };
+    let on = |support: usize| On { obstacle: prepared.owner(support), feature: prepared.touch(support) };
     let first = |supports: Supports| supports.iter().next().map(on);
     let of_held = |end: fn(On<Touch>) -> StageEnd<Touch>| first(held).map_or(StageEnd::Rests, end);
     match piece.ended_by {

@@ -58,7 +58,11 @@ static SOLID: Table = Table {
     about: "A solid part: a box, the convex hull of vertices, or that of the surface in an STL file.",
     keys: &[&[
         key("shape", Holds::Words(SolidWord::words), "It is a solid.").or_word("solid"),
-        key("box", Holds::Vector(LENGTH, 3), "The three edges of a box, along x, y and z."),
+        key(
+            "box",
+            Holds::Vector(LENGTH, 3),
+            "The three edges of a box, along x, y and z. Its faces are numbered as in the plane: 0 the lower one, 1 the right end, 2 the upper one, 3 the left end; then 4 the front and 5 the back.",
+        ),
         key(
             "vertices",
             Holds::List {

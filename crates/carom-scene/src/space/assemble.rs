@@ -9,9 +9,12 @@ use crate::part_drawing::SolidDrawing;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::roll::spatial::ThrownShape;
+use crate::start::most_probable;
+use crate::tolerance::ONE_FACE;
 use crate::unit::Dimension;
 use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};
 use carom_motion::spatial::{BodyProblem, Options};
+use carom_num::Vec3;
 
 /// A feeder and what is known about its drawing.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +50,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
         aside: value(&drawing.start.aside),
         turn: value(&drawing.start.turn),
         speed: drawing.start.speed.value,
-        face: drawing.start.faces.most_probable(),
+        face: most_probable(&drawing.start.faces.numbered()),
     };
     let feeder = Feeder {
         gravity: drawing.gravity.value,
@@ -71,6 +74,16 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
     Ok(SpaceAssembled { feeder, notes: contact_notes(drawing), approximations, shape, centre, wants })
 }
 
+/// The faces of a box by their numbers: round it as in the plane, lower long side first; then those before and behind the drawing.
+const BOX_FACES: [Vec3; 6] = [
+    Vec3::new(0.0, -1.0, 0.0),
+    Vec3::new(1.0, 0.0, 0.0),
+    Vec3::new(0.0, 1.0, 0.0),
+    Vec3::new(-1.0, 0.0, 0.0),
+    Vec3::new(0.0, 0.0, 1.0),
+    Vec3::new(0.0, 0.0, -1.0),
+];
+
 /// The part: its hull, and what fills it.
 fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> {
     let own = solid.shape.solid;
@@ -84,11 +97,16 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
     let problem =
         |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, span.clone());
     let found = Part::about(&solid.shape.hull, centre, (mass, inertia));
-    let part = found.map_err(|problems| {
+    let mut part = found.map_err(|problems| {
         let path =
             |found: &BodyProblem| if matches!(found, BodyProblem::Mass(_)) { "part.mass" } else { "part" };
         problems.iter().map(|found| problem(path(found), found.to_string())).collect::<Vec<_>>()
     })?;
+    if solid.shape.word == "box" {
+        part.faces.sort_by_key(|face| {
+            BOX_FACES.iter().position(|normal| (*normal - face.normal).norm() < ONE_FACE)
+        });
+    }
     if let Some(face) = part.faces.iter().find(|face| face.depth <= 0.0) {
         let out = Dimension::Length.show(-face.depth);
         return Err(vec![problem(

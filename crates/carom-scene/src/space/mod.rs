@@ -19,7 +19,8 @@ use crate::read_scene::read_scene;
 use crate::roll::spatial::ThrownShape;
 use crate::scene::quantities;
 use crate::{NamedQuantity, Scene};
-use assemble::{SpaceAssembled, assemble};
+use assemble::SpaceAssembled;
+pub(crate) use assemble::assemble;
 use carom_feeder::spatial::Feeder;
 use std::path::Path;
 use std::sync::Arc;
@@ -142,6 +143,14 @@ impl SpaceScene {
     /// Its name: the file's, without folder and ending.
     pub fn name(&self) -> &str {
         crate::scene::name_of(&self.file)
+    }
+
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+
+    pub(crate) fn drawing(&self) -> &Drawing {
+        &self.drawing
     }
 
     /// Its text, as it was read.

@@ -4,6 +4,7 @@ use super::SpaceScene;
 use crate::approximation::Approximation;
 use crate::run_end_report::{JamReport, StageEndReport, jam_report, stage_end_report};
 use crate::run_report::{AccumulationReport, PlateReport, WorkReport, landing_report};
+use crate::tolerance::ONE_FACE;
 use crate::wanted::Wanted;
 use crate::word::Word;
 use carom_feeder::spatial::{Feeder, Run};
@@ -217,13 +218,19 @@ impl SpaceRunReport {
 fn faces(scene: &SpaceScene) -> Vec<SolidFaceReport> {
     let part = &scene.feeder().part;
     let (hull, centre) = (&scene.shape().hull, scene.mass_centre());
-    let margin = |face: usize| hull.stance(face, centre).map_or(0.0, |Stance { margin, .. }| margin);
+    // Faces of a box are numbered in another order than those of its hull.
+    let in_hull =
+        |normal: Vec3| hull.faces().iter().position(|face| (face.normal - normal).norm() < ONE_FACE);
+    let margin = |normal: Vec3| {
+        let stance = in_hull(normal).and_then(|face| hull.stance(face, centre));
+        stance.map_or(0.0, |Stance { margin, .. }| margin)
+    };
     let report = |(face, of): (usize, &carom_feeder::spatial::Face)| SolidFaceReport {
         face,
         corners: of.corners.clone(),
         normal: of.normal.to_array(),
         centre_height_m: of.depth,
-        margin_m: margin(face),
+        margin_m: margin(of.normal),
     };
     part.faces.iter().enumerate().map(report).collect()
 }
@@ -233,20 +240,16 @@ fn contacts(
     prepared: &carom_feeder::spatial::Prepared<'_>,
     impact: &Impact,
 ) -> Vec<SpaceContactReport> {
-    let world = prepared.world();
-    let one = |(support, impulse): &(usize, Vec3)| {
-        let feature = world.touch(*support).unwrap_or(Touch::Point { point: 0, face: 0 });
-        SpaceContactReport {
-            plate: feeder.given(prepared.owner(*support)).to_owned(),
-            feature: feeder.part_of(&feature),
-            strikes: impact.striking.contains(*support),
-            state: match () {
-                () if !impact.kept.contains(*support) => "separates",
-                () if impact.sliding.contains(*support) => "slips",
-                () => "sticks",
-            },
-            impulse: impulse.to_array(),
-        }
+    let one = |(support, impulse): &(usize, Vec3)| SpaceContactReport {
+        plate: feeder.given(prepared.owner(*support)).to_owned(),
+        feature: feeder.part_of(&prepared.touch(*support)),
+        strikes: impact.striking.contains(*support),
+        state: match () {
+            () if !impact.kept.contains(*support) => "separates",
+            () if impact.sliding.contains(*support) => "slips",
+            () => "sticks",
+        },
+        impulse: impulse.to_array(),
     };
     let mut all: Vec<SpaceContactReport> = impact.impulses.iter().map(one).collect();
     all.sort_by_key(|contact| !contact.strikes);

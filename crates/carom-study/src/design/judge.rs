@@ -1,6 +1,7 @@
 //! Which demands a layout meets, and how surely.
 
 use super::{Design, Forbidden, Goal, Limits, Space};
+use crate::device::Landed;
 use crate::ending::Dropped;
 use crate::yields::{Estimate, Plan, Points, sample};
 use carom_feeder::{Feeder, Outcome, Run, Stop};
@@ -126,13 +127,13 @@ impl Judged {
 
 impl Limits {
     /// True where a drop keeps the limits that depend on it: speeds, time, and that no wall is touched.
-    pub fn keeps(&self, run: &Run) -> bool {
+    pub fn keeps(&self, run: &impl Landed) -> bool {
         let within = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
         let [impact_speed, sliding_speed] = speeds(run);
         within(impact_speed, self.impact_speed)
             && within(sliding_speed, self.sliding_speed)
-            && within(run.end_time, self.time)
-            && (!self.no_wall || run.walls_touched.is_empty())
+            && within(run.end_time(), self.time)
+            && (!self.no_wall || run.walls_touched().is_empty())
     }
 
     /// True where some limit depends on the drop.
@@ -171,8 +172,8 @@ impl Limits {
 }
 
 /// The hardest strike, and the largest slip.
-pub(super) fn speeds(run: &Run) -> [f64; 2] {
-    run.landings.iter().fold([0.0; 2], |[hard, fast], landing| {
+pub(super) fn speeds(run: &impl Landed) -> [f64; 2] {
+    run.landings().iter().fold([0.0; 2], |[hard, fast], landing| {
         [f64::max(hard, landing.max_impact_speed), f64::max(fast, landing.max_sliding_speed)]
     })
 }

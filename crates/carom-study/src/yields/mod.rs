@@ -22,8 +22,8 @@ pub use recirculation::Recirculation;
 pub use sensitivity::{Contrasts, NoIndices, Sensitivity, sensitivity};
 pub use tally::{PlateSpread, Transition, Worst};
 
+use crate::device::Device;
 use crate::ending::Ending;
-use carom_feeder::{Feeder, Run};
 use carom_num::sobol::{MOST_DIMENSIONS, Sobol, random};
 use thiserror::Error;
 
@@ -227,13 +227,13 @@ impl Plan {
 /// assert_eq!(found.wanted.share, 0.5);
 /// # Ok::<(), carom_study::yields::YieldError>(())
 /// ```
-pub fn sample(
+pub fn sample<D: Device>(
     plan: &Plan,
-    feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
-    wanted: impl Fn(&Run) -> bool + Sync,
+    feeder: impl Fn(&[f64]) -> Option<D> + Sync,
+    wanted: impl Fn(&D::Run) -> bool + Sync,
     distance: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Result<Yield, YieldError> {
-    sample_within(plan, feeder, (wanted, |_: &Run| true), distance)
+    sample_within(plan, feeder, (wanted, |_: &D::Run| true), distance)
 }
 
 /// As [`sample`]. It also counts, apart, the runs that end as wanted and for which `keeps` is true: those that keep a limit on their speed, say.
@@ -256,10 +256,10 @@ pub fn sample(
 /// assert_eq!((found.wanted.share, found.kept.share), (0.5, 0.25));
 /// # Ok::<(), carom_study::yields::YieldError>(())
 /// ```
-pub fn sample_within(
+pub fn sample_within<D: Device>(
     plan: &Plan,
-    feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
-    (wanted, keeps): (impl Fn(&Run) -> bool + Sync, impl Fn(&Run) -> bool + Sync),
+    feeder: impl Fn(&[f64]) -> Option<D> + Sync,
+    (wanted, keeps): (impl Fn(&D::Run) -> bool + Sync, impl Fn(&D::Run) -> bool + Sync),
     distance: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Result<Yield, YieldError> {
     Yield::of(vec![Portion::sampled(plan, (0, 1), feeder, (wanted, keeps), distance)?])

@@ -3,10 +3,9 @@
 use super::estimate::REPETITIONS;
 use super::tally::Tally;
 use super::{Plan, Points, Yield, YieldError};
+use crate::device::Device;
 use crate::ending::Dropped;
 use crate::packed::{Packed, packed};
-use carom_feeder::{Feeder, Run};
-use carom_motion::planar::Options;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::slice::Iter;
@@ -84,18 +83,18 @@ pub struct Portion {
 packed!(Portion { whose, tally });
 
 /// Says something of a run.
-type Judge<'a> = &'a (dyn Fn(&Run) -> bool + Sync);
+type Judge<'a, R> = &'a (dyn Fn(&R) -> bool + Sync);
 
 impl Portion {
     /// Drops a portion of what the plan asks for: `number` of `of` portions, from 0. All else as in [`sample_within`](super::sample_within).
     ///
     /// # Errors
     /// [`YieldError`]: a plan that cannot be followed, a number that is not below `of`.
-    pub fn sampled(
+    pub fn sampled<D: Device>(
         plan: &Plan,
         (number, of): (u32, u32),
-        feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
-        (wanted, keeps): (impl Fn(&Run) -> bool + Sync, impl Fn(&Run) -> bool + Sync),
+        feeder: impl Fn(&[f64]) -> Option<D> + Sync,
+        (wanted, keeps): (impl Fn(&D::Run) -> bool + Sync, impl Fn(&D::Run) -> bool + Sync),
         distance: impl Fn(&[f64]) -> f64 + Sync,
     ) -> Result<Self, YieldError> {
         plan.check()?;
@@ -146,10 +145,10 @@ impl Yield {
     }
 }
 
-fn counted(
+fn counted<D: Device>(
     whose: &Whose,
-    feeder: &(dyn Fn(&[f64]) -> Option<Feeder> + Sync),
-    (wanted, keeps): (Judge<'_>, Judge<'_>),
+    feeder: &(dyn Fn(&[f64]) -> Option<D> + Sync),
+    (wanted, keeps): (Judge<'_, D::Run>, Judge<'_, D::Run>),
     distance: &(dyn Fn(&[f64]) -> f64 + Sync),
 ) -> Tally {
     let (plan, samples) = (whose.plan, whose.samples);
@@ -164,9 +163,9 @@ fn counted(
         for number in chunk * CHUNK..((chunk + 1) * CHUNK).min(samples) {
             let point = points(number);
             let feeder = feeder(&point);
-            let dropped = Dropped::of(feeder.as_ref(), plan.plate, &Options::default());
+            let dropped = Dropped::through(feeder.as_ref(), plan.plate);
             let good = dropped.run.as_ref().is_some_and(wanted);
-            let start = feeder.as_ref().map(|feeder| feeder.start.face);
+            let start = feeder.as_ref().map(Device::start_face);
             tally.add(repetition, (&point, distance(&point)), &dropped, good);
             tally.add_faces(repetition, start, &dropped, (plan.plate, good));
             tally.keep(repetition, good && dropped.run.as_ref().is_some_and(keeps));

@@ -3,6 +3,7 @@
 use super::estimate::{Estimate, REPETITIONS, Spread};
 use super::recirculation::{Pass, Passes, Recirculation};
 use super::{Plan, Yield};
+use crate::device::Landed;
 use crate::ending::{Dropped, Ending};
 use crate::packed::packed;
 use carom_feeder::{Landing, Verdict};
@@ -171,7 +172,7 @@ impl Tally {
         &mut self,
         repetition: usize,
         (point, distance): (&[f64], f64),
-        dropped: &Dropped,
+        dropped: &Dropped<impl Landed>,
         good: bool,
     ) {
         self.drops += 1;
@@ -179,7 +180,7 @@ impl Tally {
         self.endings.entry(dropped.ending).or_insert([0; REPETITIONS])[repetition] += 1;
         let mut hardest: Option<f64> = None;
         if let Some(run) = &dropped.run {
-            for landing in &run.landings {
+            for landing in run.landings() {
                 let noted = &mut self.plates[landing.plate];
                 noted.impact_speed.push(landing.impact_speed);
                 noted.sliding_speed.push(landing.max_sliding_speed);
@@ -187,7 +188,7 @@ impl Tally {
                 hardest = Some(hardest.map_or(landing.impact_speed, |known| known.max(landing.impact_speed)));
             }
             if good {
-                self.time.push(run.end_time);
+                self.time.push(run.end_time());
             }
         }
         self.look_closer((point, distance), dropped.ending, hardest, good);
@@ -198,16 +199,16 @@ impl Tally {
         &mut self,
         repetition: usize,
         start: Option<usize>,
-        dropped: &Dropped,
+        dropped: &Dropped<impl Landed>,
         (looked_at, good): (usize, bool),
     ) {
         let (Some(run), Some(start)) = (&dropped.run, start) else { return };
-        let landing = |plate: usize| run.landings.iter().find(|landing| landing.plate == plate);
-        let has_faces = run.landings.iter().all(|landing| landing.face.is_some());
+        let landing = |plate: usize| run.landings().iter().find(|landing| landing.plate == plate);
+        let has_faces = run.landings().iter().all(|landing| landing.face.is_some());
         let mut from = on_face(has_faces.then_some(start));
         for plate in 1..self.plates.len() {
             let lies = |landing: &Landing| on_face(landing.face);
-            let to = landing(plate).map_or(Ending::Otherwise(run.outcome), lies);
+            let to = landing(plate).map_or(Ending::Otherwise(run.outcome()), lies);
             self.transitions.entry((plate, from, to)).or_insert([0; REPETITIONS])[repetition] += 1;
             if !to.arrives() {
                 break;

@@ -3,7 +3,7 @@
 use super::map::MapAxis;
 use carom_scene::quantity::{QuantityProblem, parse, parse_range};
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{Problem, ProblemKind, Problems, Scene, label_beside, labelled, nearest};
+use carom_scene::{Drawn, Problem, ProblemKind, Problems, Scene, label_beside, labelled, nearest};
 use carom_study::regions::{MOST_CELLS, Range};
 use std::ops::RangeInclusive;
 
@@ -333,7 +333,7 @@ pub fn named(scene: &Scene, text: &str) -> String {
 }
 
 /// The number of the plate that is looked at.
-pub fn plate(scene: &Scene, named: Option<&str>, complaints: &mut Complaints) -> usize {
+pub fn plate(scene: &impl Drawn, named: Option<&str>, complaints: &mut Complaints) -> usize {
     super::plate(scene, named).unwrap_or_else(|message| {
         complaints.push("plate", message);
         0

@@ -7,7 +7,7 @@ use super::StudyError;
 use super::axes::{Asker, Complaints};
 use super::tolerance::INTERVAL_ACCURACY;
 use carom_feeder::Feed;
-use carom_scene::Scene;
+use carom_scene::{Drawn, Scene};
 use carom_study::feeds::{Feeds, FeedsError, Happens, Kind, MOST_NODES, Plan, search};
 use carom_words::study;
 use std::ops::RangeInclusive;

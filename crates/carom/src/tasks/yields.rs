@@ -7,15 +7,14 @@ mod report;
 pub use located::{LINES, LocatedYield};
 
 use super::wants;
-use carom_feeder::{Feeder, Run};
 use carom_impact::Law;
-use carom_motion::planar::Options;
-use carom_scene::{Scene, Varied};
+use carom_scene::{Drawn, Scene, Varied};
 use carom_study::design::Limits;
 use carom_study::yields::{
     Contrasts, NoIndices, Plan, Points, Portion, REPETITIONS, Sensitivity, Worst, Yield, YieldError,
 };
-use carom_study::{Dropped, Ending};
+use carom_study::{Device, Dropped, Ending};
+use carom_words::part::Names;
 use carom_words::{part, study};
 
 /// Samples of a Sobol index, for so many samples of the yield.
@@ -44,11 +43,11 @@ const HARDEST: &str = "hardest";
 /// assert!(studied.found.drops >= 512 && studied.page("out").contains("how surely"));
 /// # Ok::<(), carom::Error>(())
 /// ```
-pub struct YieldStudy<'s> {
+pub struct YieldStudy<'s, S: Drawn = Scene> {
     /// The scene.
-    pub scene: &'s Scene,
+    pub scene: &'s S,
     /// With its tolerances.
-    pub varied: &'s Varied<'s>,
+    pub varied: &'s Varied<'s, S>,
     /// How it was sampled.
     pub plan: Plan,
     /// What is wanted of the plate where the scene says nothing: as the drop of the middle of all tolerances ends.
@@ -65,15 +64,15 @@ pub struct YieldStudy<'s> {
     pub drops: usize,
 }
 
-impl<'s> YieldStudy<'s> {
+impl<'s, S: Drawn> YieldStudy<'s, S> {
     /// So many samples at least, from this seed; endings are told apart on this plate.
-    pub fn plan(varied: &Varied<'_>, samples: u64, seed: u64, points: Points, plate: usize) -> Plan {
+    pub fn plan(varied: &Varied<'_, S>, samples: u64, seed: u64, points: Points, plate: usize) -> Plan {
         Plan {
             dimensions: varied.dimensions(),
             samples: samples.div_ceil(REPETITIONS as u64),
             seed,
             points,
-            plates: varied.scene().feeder().plates.len(),
+            plates: varied.scene().feeder().plate_count(),
             plate,
         }
     }
@@ -82,7 +81,11 @@ impl<'s> YieldStudy<'s> {
     ///
     /// # Errors
     /// A plan that cannot be followed.
-    pub fn sampled(varied: &'s Varied<'s>, plan: Plan, step: impl Fn() + Sync) -> Result<Self, YieldError> {
+    pub fn sampled(
+        varied: &'s Varied<'s, S>,
+        plan: Plan,
+        step: impl Fn() + Sync,
+    ) -> Result<Self, YieldError> {
         Self::of(varied, vec![Self::portion(varied, &plan, (0, 1), step)?])
     }
 
@@ -91,16 +94,16 @@ impl<'s> YieldStudy<'s> {
     /// # Errors
     /// A plan that cannot be followed, a portion that there is not.
     pub fn portion(
-        varied: &Varied<'_>,
+        varied: &Varied<'_, S>,
         plan: &Plan,
         number_of: (u32, u32),
         step: impl Fn() + Sync,
     ) -> Result<Portion, YieldError> {
         let scene = varied.scene();
         let middle = middle(scene, plan);
-        let met = |run: &Run| met(scene, plan.plate, middle, run);
-        let limits = limits(scene);
-        let keeps = |run: &Run| limits.is_none_or(|limits| limits.keeps(run));
+        let met = |run: &RunOf<S>| met(scene, plan.plate, middle, run);
+        let limits = scene.limits();
+        let keeps = |run: &RunOf<S>| limits.is_none_or(|limits| limits.keeps(run));
         let feeder = |point: &[f64]| {
             step();
             varied.feeder(point)
@@ -112,16 +115,16 @@ impl<'s> YieldStudy<'s> {
     ///
     /// # Errors
     /// Portions of different studies, one twice, or not all of them.
-    pub fn of(varied: &'s Varied<'s>, portions: Vec<Portion>) -> Result<Self, YieldError> {
+    pub fn of(varied: &'s Varied<'s, S>, portions: Vec<Portion>) -> Result<Self, YieldError> {
         let scene = varied.scene();
         let plan = *portions.first().ok_or(YieldError::Portions)?.plan();
-        if plan.dimensions != varied.dimensions() || plan.plates != scene.feeder().plates.len() {
+        if plan.dimensions != varied.dimensions() || plan.plates != scene.feeder().plate_count() {
             return Err(YieldError::Portions);
         }
         let found = Yield::of(portions)?;
         let deciders = Err(undecided(&plan, &found).unwrap_or_else(|| "it was not asked".to_owned()));
         let (laws, drops) = (laws(scene.feeder(), plan.plate), found.drops as usize);
-        let (middle, limits) = (middle(scene, &plan), limits(scene));
+        let (middle, limits) = (middle(scene, &plan), scene.limits());
         Ok(Self { scene, varied, plan, middle, limits, found, deciders, laws, drops })
     }
 
@@ -143,7 +146,7 @@ impl<'s> YieldStudy<'s> {
     /// # Errors
     /// More quantities than can be told apart, a portion that there is not.
     pub fn contrasts(
-        varied: &Varied<'_>,
+        varied: &Varied<'_, S>,
         plan: &Plan,
         number_of: (u32, u32),
         step: impl Fn() + Sync,
@@ -152,7 +155,7 @@ impl<'s> YieldStudy<'s> {
         let middle = middle(scene, plan);
         let good = |point: &[f64]| {
             step();
-            let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &Options::default());
+            let dropped = Dropped::through(varied.feeder(point).as_ref(), plan.plate);
             dropped.run.as_ref().is_some_and(|run| met(scene, plan.plate, middle, run))
         };
         Contrasts::counted(plan, of_an_index(plan), number_of, good)
@@ -216,26 +219,24 @@ impl<'s> YieldStudy<'s> {
     }
 }
 
-/// How the drop of the middle of all tolerances ends.
-fn middle(scene: &Scene, plan: &Plan) -> Ending {
-    Dropped::of(Some(scene.feeder()), plan.plate, &Options::default()).ending
-}
+/// What a drop of a scene's feeder says.
+type RunOf<S> = <<S as Drawn>::Feeder as Device>::Run;
 
-/// What a layout must keep besides, where the scene says so of a drop.
-fn limits(scene: &Scene) -> Option<Limits> {
-    scene.design().map(|design| design.limits()).filter(Limits::are_of_drops)
+/// How the drop of the middle of all tolerances ends.
+fn middle<S: Drawn>(scene: &S, plan: &Plan) -> Ending {
+    Dropped::through(Some(scene.feeder()), plan.plate).ending
 }
 
 /// What is wanted, in words.
-fn wanted(scene: &Scene, plate: usize, middle: Ending) -> String {
-    wants(scene).unwrap_or_else(|| {
+fn wanted<S: Drawn>(scene: &S, plate: usize, middle: Ending) -> String {
+    wants(scene.feeder(), scene.wants()).unwrap_or_else(|| {
         let (ending, plate) = (study::ending(middle), part::obstacle(scene.feeder(), plate));
         format!("{ending} on \"{plate}\", as it ends where nothing varies")
     })
 }
 
 /// Whether a drop ends as the scene wants, or else as the middle of all tolerances does.
-fn met(scene: &Scene, plate: usize, middle: Ending, run: &Run) -> bool {
+fn met<S: Drawn>(scene: &S, plate: usize, middle: Ending, run: &RunOf<S>) -> bool {
     scene.ends_as_wanted(run).unwrap_or_else(|| Ending::of(run, plate) == middle)
 }
 
@@ -271,14 +272,12 @@ fn too_few(found: &Yield) -> Option<String> {
 }
 
 /// How a feeder's drop ends under every law, with every restitution.
-fn laws(feeder: &Feeder, plate: usize) -> Vec<(Law, f64, Ending)> {
+fn laws(feeder: &impl Device, plate: usize) -> Vec<(Law, f64, Ending)> {
     let mut found = vec![];
     for law in [Law::Poisson, Law::Stronge, Law::Newton] {
         for restitution in RESTITUTIONS {
-            let mut feeder = Feeder { law, ..feeder.clone() };
-            feeder.plates.iter_mut().for_each(|plate| plate.restitution = restitution);
-            feeder.walls.iter_mut().for_each(|wall| wall.restitution = restitution);
-            found.push((law, restitution, Dropped::of(Some(&feeder), plate, &Options::default()).ending));
+            let feeder = feeder.with_law(law, restitution);
+            found.push((law, restitution, Dropped::through(Some(&feeder), plate).ending));
         }
     }
     found

@@ -68,6 +68,11 @@ impl World {
         }
     }
 
+    /// The unit normal of a face of the body, outwards, body axes; `None` where there is no such face, or no obstacle that faces could touch.
+    pub fn face_normal(&self, face: usize) -> Option<Vec3> {
+        self.surface.faces.get(face).map(|face| face.plane.normal())
+    }
+
     /// The points of the body at the ends of an edge.
     fn ends_of(&self, edge: &Edge) -> [usize; 2] {
         let nearest = |place: Vec3| {

@@ -2,8 +2,8 @@
 
 use super::{StudyError, Watched};
 use carom_feeder::Run;
-use carom_scene::Scene;
 use carom_scene::unit::Dimension;
+use carom_scene::{Drawn, Scene};
 use carom_study::design::{Design, Extremes, Goal, Judged, Worst, to_the_end};
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
 

@@ -31,7 +31,7 @@ pub(super) fn seconds(time: f64, searched: &FeedStudy<'_>) -> String {
 
 /// What is wanted, in words.
 fn wanted(searched: &FeedStudy<'_>) -> String {
-    wants(searched.scene).unwrap_or_else(|| {
+    wants(searched.scene.feeder(), searched.scene.wants()).unwrap_or_else(|| {
         let words = match searched.found.ending {
             Ending::Lies(verdict) => format!("{} on \"{}\"", carom_words::run::side(verdict), last(searched)),
             ending => on_last(ending, searched),

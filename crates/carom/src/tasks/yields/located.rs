@@ -1,11 +1,10 @@
 //! How surely a drop ends as wanted, by where drops stop to end so: the study of `carom yield --locate`.
 
-use super::{limits, met, middle, wanted};
-use carom_feeder::Run;
-use carom_motion::planar::Options;
-use carom_scene::{LocatedReport, LocatedShareReport, Scene, StudyRunReport, Varied, labelled};
+use super::{RunOf, met, middle, wanted};
+use carom_scene::{Drawn, LocatedReport, LocatedShareReport, Scene, StudyRunReport, Varied, labelled};
 use carom_study::yields::{Located, Plan, YieldError, locate};
 use carom_study::{Dropped, Ending};
+use carom_words::part::Names;
 use carom_words::study::percent;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -28,9 +27,9 @@ pub const LINES: u64 = 128;
 /// assert!(found.text(0.1).contains("end as wanted"));
 /// # Ok::<(), carom::Error>(())
 /// ```
-pub struct LocatedYield<'s> {
+pub struct LocatedYield<'s, S: Drawn = Scene> {
     /// With its tolerances.
-    pub varied: &'s Varied<'s>,
+    pub varied: &'s Varied<'s, S>,
     /// How it was sought: `samples` are the lines of a repetition.
     pub plan: Plan,
     /// What is wanted of the plate where the scene says nothing: as the drop of the middle of all tolerances ends.
@@ -43,15 +42,15 @@ pub struct LocatedYield<'s> {
     pub drops: usize,
 }
 
-impl<'s> LocatedYield<'s> {
+impl<'s, S: Drawn> LocatedYield<'s, S> {
     /// Locates as planned; `step` is called after each drop.
     ///
     /// # Errors
     /// A plan that cannot be followed.
-    pub fn of(varied: &'s Varied<'s>, plan: Plan, step: impl Fn() + Sync) -> Result<Self, YieldError> {
+    pub fn of(varied: &'s Varied<'s, S>, plan: Plan, step: impl Fn() + Sync) -> Result<Self, YieldError> {
         let scene = varied.scene();
         let middle = middle(scene, &plan);
-        let limits = limits(scene);
+        let limits = scene.limits();
         // Both shares ask at the same places, as long as the same quantity decides.
         let known: Mutex<BTreeMap<Vec<u64>, [bool; 2]>> = Mutex::default();
         // Only a thread that panics poisons a lock, and its panic goes on.
@@ -61,10 +60,10 @@ impl<'s> LocatedYield<'s> {
             if let Some(ends) = open().get(&place) {
                 return *ends;
             }
-            let dropped = Dropped::of(varied.feeder(point).as_ref(), plan.plate, &Options::default());
+            let dropped = Dropped::through(varied.feeder(point).as_ref(), plan.plate);
             step();
             let run = dropped.run.filter(|run| met(scene, plan.plate, middle, run));
-            let keeps = |run: &Run| limits.is_none_or(|limits| limits.keeps(run));
+            let keeps = |run: &RunOf<S>| limits.is_none_or(|limits| limits.keeps(run));
             let ends = [run.is_some(), run.as_ref().is_some_and(keeps)];
             if limits.is_some() {
                 open().insert(place, ends);
@@ -99,7 +98,7 @@ impl<'s> LocatedYield<'s> {
 
     /// What it says to a program; `run` says what it took.
     pub fn summary(&self, run: StudyRunReport) -> LocatedReport {
-        let scene: &Scene = self.varied.scene();
+        let scene = self.varied.scene();
         let share = |found: &Located| LocatedShareReport {
             share: found.wanted.share,
             low: found.wanted.low,
@@ -112,7 +111,7 @@ impl<'s> LocatedYield<'s> {
             scene: scene.name().to_owned(),
             approximations: scene.approximations().to_vec(),
             notes: scene.notes().to_vec(),
-            plate: scene.feeder().plates[self.plan.plate].name.clone(),
+            plate: scene.feeder().given(self.plan.plate).to_owned(),
             wanted: wanted(scene, self.plan.plate, self.middle),
             located: share(&self.wanted),
             yield_within_limits: self.kept.as_ref().map(share),

@@ -4,15 +4,17 @@ use super::{YieldStudy, file_of};
 use crate::tasks::{MADE_BY, quoted};
 use carom_figure::{YieldFigure, YieldQuantity, YieldWorst, live_yield, yield_report};
 use carom_scene::quantity::Tolerance;
-use carom_scene::{NamedQuantity, labelled};
+use carom_scene::{Drawn, NamedQuantity, labelled};
+use carom_study::Device;
 use carom_study::yields::{Points, REPETITIONS, Sensitivity, Worst};
+use carom_words::part::Names;
 use carom_words::{part, study};
 use std::path::Path;
 
 /// Digits of a value, as a drawing shows it.
 const DIGITS: usize = 5;
 
-impl YieldStudy<'_> {
+impl<S: Drawn> YieldStudy<'_, S> {
     /// The page; `folder` is where the drops to look at are saved, for the commands that run them.
     pub fn page(&self, folder: impl AsRef<Path>) -> String {
         with_figure(self, folder.as_ref(), false, yield_report)
@@ -25,13 +27,13 @@ impl YieldStudy<'_> {
 }
 
 fn with_figure(
-    studied: &YieldStudy<'_>,
+    studied: &YieldStudy<'_, impl Drawn>,
     folder: &Path,
     live: bool,
     show: impl Fn(&YieldFigure<'_>) -> String,
 ) -> String {
     let feeder = studied.scene.feeder();
-    let plates: Vec<String> = (0..feeder.plates.len()).map(|plate| part::obstacle(feeder, plate)).collect();
+    let plates: Vec<String> = (0..feeder.plate_count()).map(|plate| part::obstacle(feeder, plate)).collect();
     let labels = |found: Vec<(String, Sensitivity)>| {
         found.into_iter().map(|(path, share)| (labelled(&path).into_owned(), share)).collect::<Vec<_>>()
     };
@@ -51,7 +53,7 @@ fn with_figure(
         deciders: ranked.as_deref().map_err(|why| *why),
         laws: &studied.laws,
         drawn: studied.middle,
-        law: studied.scene.feeder().law,
+        law: studied.scene.law(),
         quantities: &quantities,
         worst: &worst,
         notes: &notes(studied),
@@ -73,17 +75,17 @@ fn quantity(quantity: &NamedQuantity) -> YieldQuantity {
 }
 
 /// The faces on which parts start, where they are several.
-fn faces(studied: &YieldStudy<'_>) -> Option<YieldQuantity> {
+fn faces(studied: &YieldStudy<'_, impl Drawn>) -> Option<YieldQuantity> {
     let faces = studied.varied.faces();
     let share = |(face, share): &(usize, f64)| format!("{face} in {:.1} %", 100.0 * share);
     (faces.len() > 1).then(|| YieldQuantity {
         path: labelled("start.face").into_owned(),
-        middle: format!("face {}", studied.scene.feeder().start.face),
+        middle: format!("face {}", studied.scene.feeder().start_face()),
         tolerance: format!("mixed: {}", faces.iter().map(share).collect::<Vec<_>>().join(", ")),
     })
 }
 
-fn case(studied: &YieldStudy<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
+fn case(studied: &YieldStudy<'_, impl Drawn>, worst: &Worst, folder: &Path) -> YieldWorst {
     let values = studied.varied.values(&worst.point);
     let shown = studied.varied.quantities().zip(&values);
     YieldWorst {
@@ -99,7 +101,7 @@ fn case(studied: &YieldStudy<'_>, worst: &Worst, folder: &Path) -> YieldWorst {
 }
 
 /// How it was sampled, and what that means.
-fn notes(studied: &YieldStudy<'_>) -> Vec<String> {
+fn notes<S: Drawn>(studied: &YieldStudy<'_, S>) -> Vec<String> {
     let plan = &studied.plan;
     let points = match plan.points {
         Points::Sobol => {
@@ -117,7 +119,7 @@ fn notes(studied: &YieldStudy<'_>) -> Vec<String> {
         notes.push(format!("Which tolerance decides comes from {indices} more drops."));
     }
     notes.push(
-        "The model: plane motion, rigid part and plates, dry friction after Coulomb, one part at a time; no air, dust or oil.".to_owned(),
+        format!("The model: {}, rigid part and plates, dry friction after Coulomb, one part at a time; no air, dust or oil.", S::MOTION),
     );
     notes
 }

@@ -3,20 +3,21 @@
 use super::{YieldStudy, file_of};
 use carom_feeder::Verdict;
 use carom_scene::{
-    EndingReport, EndingWord, FaceShareReport, LawReport, RecirculationReport, SensitivityReport,
+    Drawn, EndingReport, EndingWord, FaceShareReport, LawReport, RecirculationReport, SensitivityReport,
     StudyRunReport, TransitionReport, Word, WorstReport, YieldPlateReport, YieldReport,
 };
 use carom_study::Ending;
 use carom_study::yields::{Estimate, Recirculation, Sensitivity, Transition, Worst};
+use carom_words::part::Names;
 
-fn transition(studied: &YieldStudy<'_>, found: &Transition) -> TransitionReport {
+fn transition(studied: &YieldStudy<'_, impl Drawn>, found: &Transition) -> TransitionReport {
     let face = |ending| match ending {
         Ending::Lies(Verdict::Face(face)) => Some(face),
         _ => None,
     };
     let Estimate { share, low, high, count } = found.share;
     TransitionReport {
-        plate: studied.scene.feeder().plates[found.plate].name.clone(),
+        plate: studied.scene.feeder().given(found.plate).to_owned(),
         from: face(found.from),
         to: face(found.to),
         ending: EndingWord(found.to),
@@ -36,14 +37,14 @@ fn looped(found: &Recirculation) -> RecirculationReport {
     }
 }
 
-impl YieldStudy<'_> {
+impl<S: Drawn> YieldStudy<'_, S> {
     /// Everything that was found, for a program; `run` says what it took.
     pub fn summary(&self, run: StudyRunReport) -> YieldReport {
         let studied = self;
         let found = &studied.found;
-        let names = studied.scene.feeder().plates.iter();
-        let plates = names.zip(&found.plates).map(|(plate, spread)| YieldPlateReport {
-            plate: plate.name.clone(),
+        let feeder = studied.scene.feeder();
+        let plates = found.plates.iter().enumerate().map(|(plate, spread)| YieldPlateReport {
+            plate: feeder.given(plate).to_owned(),
             impact_speed_m_s: spread.impact_speed.as_ref().map(Into::into),
             sliding_speed_m_s: spread.sliding_speed.as_ref().map(Into::into),
             flat_s: spread.flat.as_ref().map(Into::into),
@@ -70,7 +71,7 @@ impl YieldStudy<'_> {
             scene: studied.scene.name().to_owned(),
             approximations: studied.scene.approximations().to_vec(),
             notes: studied.scene.notes().to_vec(),
-            plate: studied.scene.feeder().plates[studied.plan.plate].name.clone(),
+            plate: studied.scene.feeder().given(studied.plan.plate).to_owned(),
             wanted: studied.wanted(),
             probability: found.wanted.into(),
             yield_within_limits: studied.limits.map(|_| found.kept.into()),
