@@ -45,6 +45,8 @@ pub(super) struct Motions<'p, const N: usize> {
     direction: Directions<N>,
     /// Slips of the contacts that start, orthonormal over all of them.
     basis: Vec<Directions<N>>,
+    /// Their slips in the motion that the drive causes; none where nothing does what the hypothesis says.
+    driven: Option<Directions<N>>,
 }
 
 /// A motion by its parts along the basis.
@@ -76,7 +78,8 @@ impl<const N: usize> RateProblem<'_, N> {
             5..=8 => self.slips_left::<24>(guess, starting),
             _ => self.slips_left::<MOST>(guess, starting),
         };
-        Some(Motions { problem: self, guess, direction, basis: independent(all)? })
+        let driven = all.first().copied();
+        Some(Motions { problem: self, guess, direction, basis: independent(all)?, driven })
     }
 
     /// Slips of the starting contacts that holding and sticking contacts permit, for any rates of the others. The first is the one that the drive
@@ -157,6 +160,14 @@ impl<const N: usize> Motions<'_, N> {
     /// How many of them are independent: they are a point, two points, a circle or a sphere.
     pub(in crate::spatial) fn freedom(&self) -> usize {
         self.basis.len()
+    }
+
+    /// Hands the directions of the motion that the drive causes to `visit`.
+    pub(super) fn driven(&self, visit: &mut impl FnMut(&Directions<N>)) {
+        let Some(driven) = &self.driven else { return };
+        let mut at = [0.0; MOST_FREEDOM];
+        at.iter_mut().zip(&self.basis).for_each(|(part, basis)| *part = dot(basis, driven));
+        self.look(at).iter().for_each(|look| visit(&look.direction));
     }
 
     /// Hands directions to `visit`: both where there are two, else those near which the motion that follows seems to be the assumed one.

@@ -70,7 +70,9 @@ pub(super) enum Search {
     Certain,
     /// Two contacts start: their directions are found on scanned curves.
     Pairs,
-    /// More contacts start, or rates stay open meanwhile: directions are looked for by Newton's method.
+    /// More contacts start, or rates stay open meanwhile: only the directions near the motion that the drive causes are looked for.
+    Driven,
+    /// The same, in all directions.
     Wide,
 }
 
@@ -110,17 +112,20 @@ impl<const N: usize> RateProblem<'_, N> {
 
     /// As [`RateProblem::solve`], handing each rejected hypothesis with the inequality that rejects it and its scaled slack to `reject`.
     pub fn solve_observed(&self, reject: &mut impl FnMut(&[Guess; N], Condition, f64)) -> Answer<N> {
-        self.search(reject, |of, search| of == Closed::Yes && search < Search::Wide)
+        let searches = [Search::Certain, Search::Pairs, Search::Wide];
+        self.search(&searches, reject, |of, search| of == Closed::Yes && search < Search::Wide)
     }
 
     /// The solutions of the first search that finds any; `examined` says whether others may exist.
     pub fn solve_first(&self) -> Answer<N> {
-        self.search(&mut |_, _, _| {}, |_, _| false)
+        let searches = [Search::Certain, Search::Pairs, Search::Driven, Search::Wide];
+        self.search(&searches, &mut |_, _, _| {}, |_, _| false)
     }
 
     /// Searches until something is found; searches that are made `anyway` go on.
     fn search(
         &self,
+        searches: &[Search],
         reject: &mut impl FnMut(&[Guess; N], Condition, f64),
         anyway: impl Fn(Closed, Search) -> bool,
     ) -> Answer<N> {
@@ -135,7 +140,7 @@ impl<const N: usize> RateProblem<'_, N> {
                 answer.examined = false;
                 break;
             }
-            for search in [Search::Certain, Search::Pairs, Search::Wide] {
+            for &search in searches {
                 if answer.count == 0 || anyway(of, search) {
                     guesses.each(of, &mut |guess| self.examine(guess, search, scale, &mut answer, reject));
                 }

@@ -32,6 +32,15 @@ const LONGEST: f64 = 0.5;
 /// Directions of all contacts.
 pub(in crate::spatial) type Directions<const N: usize> = [[f64; 2]; N];
 
+/// Where Newton's method starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Seeds {
+    /// At the motion that the drive causes.
+    Driven,
+    /// Wherever a motion that follows itself may be near.
+    All,
+}
+
 impl<const N: usize> RateProblem<'_, N> {
     /// Hands all directions of a hypothesis to `visit`, if it belongs to this search.
     pub(super) fn each_start(
@@ -55,7 +64,8 @@ impl<const N: usize> RateProblem<'_, N> {
         match search {
             Search::Certain => self.start_for_certain(guess, direction, &starting[..k], visit),
             Search::Pairs => self.start_in_pairs(guess, direction, &starting[..k], visit),
-            Search::Wide => self.start_widely(guess, direction, &starting[..k], visit),
+            Search::Driven => self.start_widely(guess, direction, &starting[..k], (Seeds::Driven, visit)),
+            Search::Wide => self.start_widely(guess, direction, &starting[..k], (Seeds::All, visit)),
         }
     }
 
@@ -99,7 +109,7 @@ impl<const N: usize> RateProblem<'_, N> {
         match self.motions(guess, direction, starting) {
             Some(motions) if motions.freedom() <= 1 => return Tried::Elsewhere,
             Some(motions) if motions.freedom() == 2 => {
-                self.seek(guess, direction, starting, Some(&motions), visit);
+                self.seek(guess, (direction, starting), Some(&motions), (Seeds::All, visit));
                 return Tried::Looked;
             }
             _ => {}
@@ -118,7 +128,7 @@ impl<const N: usize> RateProblem<'_, N> {
         guess: &[Guess; N],
         direction: Directions<N>,
         starting: &[usize],
-        visit: &mut impl FnMut(&Directions<N>),
+        (seeds, visit): (Seeds, &mut impl FnMut(&Directions<N>)),
     ) -> Tried {
         let elsewhere = match *starting {
             [] => true,
@@ -132,7 +142,7 @@ impl<const N: usize> RateProblem<'_, N> {
         match (motions.as_ref().map(Motions::freedom), starting) {
             (Some(0 | 1), _) | (Some(2), [_, _]) => return Tried::Elsewhere,
             (_, &[i, j]) if self.reduced([i, j], guess, direction).is_some() => return Tried::Elsewhere,
-            _ => self.seek(guess, direction, starting, motions.as_ref(), visit),
+            _ => self.seek(guess, (direction, starting), motions.as_ref(), (seeds, visit)),
         }
         Tried::Looked
     }
@@ -192,10 +202,9 @@ impl<const N: usize> RateProblem<'_, N> {
     fn seek(
         &self,
         guess: &[Guess; N],
-        mut direction: Directions<N>,
-        starting: &[usize],
+        (mut direction, starting): (Directions<N>, &[usize]),
         motions: Option<&Motions<'_, N>>,
-        visit: &mut impl FnMut(&Directions<N>),
+        (seeds, visit): (Seeds, &mut impl FnMut(&Directions<N>)),
     ) {
         let k = starting.len();
         let mut aside = |theta: &[f64; MOST]| {
@@ -226,15 +235,18 @@ impl<const N: usize> RateProblem<'_, N> {
                 visit(&direction);
             }
         };
-        match motions {
-            Some(motions) => motions.each_near(&mut |direction| {
-                let mut theta = [0.0; MOST];
-                for (theta, &i) in theta.iter_mut().zip(starting) {
-                    *theta = atan2(direction[i][1], direction[i][0]);
-                }
-                arrive(theta);
-            }),
-            None => (0..SEEDS * k.min(4)).for_each(|seed| arrive(spread(seed, k))),
+        let mut from = |direction: &Directions<N>| {
+            let mut theta = [0.0; MOST];
+            for (theta, &i) in theta.iter_mut().zip(starting) {
+                *theta = atan2(direction[i][1], direction[i][0]);
+            }
+            arrive(theta);
+        };
+        match (motions, seeds) {
+            (Some(motions), Seeds::Driven) => motions.driven(&mut from),
+            (None, Seeds::Driven) => {}
+            (Some(motions), Seeds::All) => motions.each_near(&mut from),
+            (None, Seeds::All) => (0..SEEDS * k.min(4)).for_each(|seed| arrive(spread(seed, k))),
         }
     }
 }

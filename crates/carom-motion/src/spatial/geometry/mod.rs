@@ -1,6 +1,7 @@
 //! Bodies, the plane under them, and where they are.
 
 pub(in crate::spatial) mod body;
+pub(in crate::spatial) mod clear;
 pub(in crate::spatial) mod feature;
 pub(in crate::spatial) mod friction;
 pub(in crate::spatial) mod hull;

@@ -3,7 +3,8 @@
 use super::gliding::Gliding;
 use super::motion::{Event, Motion};
 use crate::evaluated::{Quantity, evaluated};
-use crate::spatial::geometry::posture::{Bend, Height, Posture};
+use crate::spatial::geometry::clear::Outlook;
+use crate::spatial::geometry::posture::{Bend, Height, Moving, Posture};
 use crate::spatial::terms::Overturning;
 use crate::tolerance::{BESIDE, CORRECTION_ROUNDING, LEAST_MARCH, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED};
 use carom_num::Vec3;
@@ -14,10 +15,22 @@ use carom_num::ode8::Step;
 
 /// Places of a step at which a support that never leaves its plane is looked at.
 const SKIMMED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+/// Places of a step that are kept for those who look there again.
+const MOST_PLACES: usize = 24;
 /// A body that is certain to be beside an obstacle for a smaller part of a step is near it.
 const NEAR: f64 = 0.05;
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
 const MOST_NEWTON: u32 = 20;
+
+/// The motion at a place of a step.
+#[derive(Clone, Copy)]
+pub(super) struct Place<Y> {
+    /// The fraction of the step.
+    x: f64,
+    y: Y,
+    at: Posture,
+    moving: Moving,
+}
 
 impl<M: Motion> Gliding<'_, '_, M> {
     pub(super) fn value_at(&self, event: &Event, y: &M::Y, at: &Posture) -> f64 {
@@ -49,30 +62,30 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// What is searched for the touch of a support: its height, or of edges what is zero with it and bends less.
-    fn approach(&self, support: usize, at: &Posture) -> Height {
-        let Some(pair) = self.walker.world.pair(support) else { return self.height(support, at) };
-        let [value, rate] = pair.approach(&self.motion.moving(at).state, self.counted(support));
+    fn approach(&self, support: usize, seen: &Place<M::Y>) -> Height {
+        let Some(pair) = self.walker.world.pair(support) else { return self.height(support, &seen.at) };
+        let [value, rate] = pair.approach(&seen.moving.state, self.counted(support));
         Height { value: evaluated(Quantity::Gap, value), rate, second: 0.0 }
     }
 
     /// What that bends by.
-    fn bend(&self, support: usize, at: &Posture, time: f64) -> Bend {
+    fn bend(&self, support: usize, seen: &Place<M::Y>, time: f64) -> Bend {
         match self.walker.world.pair(support) {
-            None => self.motion.bend(self.walker.world, support, at, time),
+            None => self.motion.bend(self.walker.world, support, &seen.at, time),
             Some(pair) => {
-                let most = self.motion.most(at, time);
-                Bend::own(pair.bend(&self.motion.moving(at).state, &most, time)[0])
+                let most = self.motion.most(&seen.at, time);
+                Bend::own(pair.bend(&seen.moving.state, &most, time)[0])
             }
         }
     }
 
     /// For so long at least the place of a support stays beside the face that has ends, if it is beside it.
-    fn stays_aside(&self, support: usize, at: &Posture, time: f64) -> f64 {
+    fn stays_aside(&self, support: usize, seen: &Place<M::Y>, time: f64) -> f64 {
         if self.walker.world.limits(support) == 0 {
             return 0.0;
         }
-        let (state, most) = (self.motion.moving(at).state, self.motion.most(at, time));
-        self.walker.world.stays_aside(support, &state, &most, time)
+        let most = self.motion.most(&seen.at, time);
+        self.walker.world.stays_aside(support, &seen.moving.state, &most, time)
     }
 
     /// A face or an edge has ends: a support of it touches where its place is between them.
@@ -80,8 +93,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
         if self.walker.world.limits(support) == 0 {
             return true;
         }
-        let at = self.place(step, x).1;
-        self.walker.world.is_within(support, &self.motion.moving(&at).state)
+        let state = self.place(step, x).moving.state;
+        self.walker.world.is_within(support, &state)
     }
 
     /// Event functions that are looked at at nodes.
@@ -94,25 +107,40 @@ impl<M: Motion> Gliding<'_, '_, M> {
     /// The first event within a step.
     pub(super) fn event_in(&mut self, step: &Step<M::Y>) -> Option<Found<Event>> {
         let mut first: Option<Found<Event>> = None;
+        self.places.clear();
         for event in self.smooth_events() {
             let mut of = |x: f64| {
-                let (y, at) = self.place(step, x);
+                let Place { y, at, .. } = self.place(step, x);
                 [self.value_at(&event, &y, &at)]
             };
             let fall = first_fall(&mut of).map(|fall| Found::at(fall.at, event));
             first = earlier(first, fall);
         }
         first = first.map(|found| placed(self, step, found.event, found.at));
+        let behind = BESIDE * self.walker.scales.length;
         for obstacle in 0..self.walker.world.obstacle_count() {
             let Some(near) = self.comes_near(step, obstacle) else { continue };
+            let until = first.map_or(1.0, |found| found.at);
+            let ahead = self.outlook(step, [near, until]);
             for support in self.walker.world.of_obstacle(obstacle).into_iter().flatten() {
-                if self.held.contains(support) || self.fixed.holds(self.walker.world, support) {
+                let clear = || self.walker.world.is_clear(support, &ahead, behind);
+                if self.held.contains(support)
+                    || self.fixed.holds(self.walker.world, support)
+                    || !self.departing.contains(support) && clear()
+                {
                     continue;
                 }
                 first = self.touch_of(step, (support, near), first).or(first);
             }
         }
         first
+    }
+
+    /// How the body moves between two places of a step.
+    fn outlook(&mut self, step: &Step<M::Y>, [from, until]: [f64; 2]) -> Outlook {
+        let Place { at, moving, .. } = self.place(step, from);
+        let time = (until - from).max(0.0) * step.length;
+        Outlook::of(&moving, self.motion.most(&at, time), time)
     }
 
     /// The touch of a support between a place of a step and an event that is found already.
@@ -125,7 +153,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
         let until = first.map_or(1.0, |found| found.at);
         let from = if self.departing.contains(support) {
             let mut bend = |x: f64| {
-                let at = self.place(step, x).1;
+                let at = self.place(step, x).at;
                 let second = self.height(support, &at).second;
                 // At the very start it may be zero, but for rounding.
                 [if x == 0.0 { second.max(0.0) } else { second }]
@@ -144,8 +172,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
             return Some(x);
         }
         while x < 1.0 {
-            let at = self.place(step, x).1;
-            let moving = self.motion.moving(&at);
+            let Place { at, moving, .. } = self.place(step, x);
             let most = self.motion.most(&at, (1.0 - x) * length);
             let clear = self.walker.world.distance(obstacle, moving.state.centre) - self.walker.scales.length;
             let rate = -moving.state.velocity.norm();
@@ -172,10 +199,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
         }
         let world = self.walker.world;
         world.pair(support).is_some_and(|pair| {
-            let mut pose = |x: f64| {
-                let at = self.place(step, x).1;
-                self.motion.moving(&at).state.pose()
-            };
+            let mut pose = |x: f64| self.place(step, x).moving.state.pose();
             pair.is_parallel(pose(0.0)) && SKIMMED.into_iter().all(|x| pair.is_parallel(pose(x)))
         })
     }
@@ -194,14 +218,14 @@ impl<M: Motion> Gliding<'_, '_, M> {
         let behind = BESIDE * self.walker.scales.length;
         let mut x = from;
         while x < until {
-            let at = self.place(step, x).1;
-            let height = self.approach(support, &at);
+            let seen = self.place(step, x);
+            let height = self.approach(support, &seen);
             // It is noted, and nothing can be said of what comes after.
             if height.value.is_nan() || x == from && self.skims(step, support, &height) {
                 return None;
             }
-            let bend = self.bend(support, &at, (until - x) * length);
-            let aside = self.stays_aside(support, &at, (until - x) * length);
+            let bend = self.bend(support, &seen, (until - x) * length);
+            let aside = self.stays_aside(support, &seen, (until - x) * length);
             // Beside a face, or beyond an edge: what comes through from behind touches nothing.
             if aside > 0.0 || ends && height.value < -behind {
                 let rate = height.rate.copysign(height.rate * height.value);
@@ -267,17 +291,25 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// The motion at a fraction of a step.
-    fn place(&mut self, step: &Step<M::Y>, x: f64) -> (M::Y, Posture) {
+    fn place(&mut self, step: &Step<M::Y>, x: f64) -> Place<M::Y> {
         self.walker.effort.event_evaluations += 1;
+        // All supports are looked at from the same places first.
+        if let Some(known) = self.places.iter().find(|known| known.x.to_bits() == x.to_bits()) {
+            return *known;
+        }
         let y = step.at(x);
         let at = self.motion.posture(&y, self.elapsed + x * step.length);
-        (y, at)
+        let place = Place { x, y, at, moving: self.motion.moving(&at) };
+        if self.places.len() < MOST_PLACES {
+            self.places.push(place);
+        }
+        place
     }
 
     /// The height of a support at a fraction of a step.
     fn look(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> Height {
-        let at = self.place(step, x).1;
-        self.approach(support, &at)
+        let seen = self.place(step, x);
+        self.approach(support, &seen)
     }
 }
 

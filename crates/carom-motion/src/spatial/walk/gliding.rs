@@ -1,5 +1,6 @@
 //! A mode's motion on its way to the event that ends it, as a [`Course`].
 
+use super::events::Place;
 use super::motion::{Event, Motion, Stop};
 use super::walker::Walker;
 use crate::evaluated::{Quantity, evaluated, lost, watched};
@@ -22,7 +23,7 @@ const BEYOND: f64 = 1.2;
 const SAMPLES: u32 = 8;
 
 /// A mode's motion, and what is watched during it.
-pub(super) struct Gliding<'g, 'w, M> {
+pub(super) struct Gliding<'g, 'w, M: Motion> {
     pub(super) walker: &'g mut Walker<'w>,
     pub(in crate::spatial) motion: M,
     /// Supports that are held.
@@ -36,6 +37,8 @@ pub(super) struct Gliding<'g, 'w, M> {
     pub(in crate::spatial) middle: Vec3,
     /// What is added to the gaps of pairs, those after the points on faces: small ones are counted on from stretch to stretch too.
     counted: Vec<f64>,
+    /// The motion at places of the step that is being looked at.
+    pub(super) places: Vec<Place<M::Y>>,
     start_time: f64,
     /// Time since the start of the stretch [s].
     pub(in crate::spatial) elapsed: f64,
@@ -66,6 +69,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
             overturning: walker.options.overturning,
             middle: body.middle(),
             counted,
+            places: vec![],
             start_time: walker.time,
             elapsed: 0.0,
             work: 0.0,
