@@ -21,6 +21,8 @@ pub(crate) enum SchemaOf {
     List,
     /// The result of `carom run --format json`.
     Run,
+    /// The same of a scene with a solid part.
+    SpaceRun,
     /// The result of `carom faces --format json`.
     Faces,
     /// The result of `carom impact --format json`.
@@ -73,6 +75,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::RollFile => ("roll-file", schemas::roll_file()),
         SchemaOf::List => ("list", schemas::list()),
         SchemaOf::Run => ("run", schemas::run()),
+        SchemaOf::SpaceRun => ("space-run", schemas::space_run()),
         SchemaOf::Faces => ("faces", schemas::faces()),
         SchemaOf::Impact => ("impact", schemas::impact()),
         SchemaOf::Contact => ("contact", schemas::contact()),

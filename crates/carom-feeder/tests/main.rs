@@ -13,4 +13,5 @@ mod names;
 mod paper;
 mod random;
 mod random_feeders;
+mod spatial;
 mod strikes;

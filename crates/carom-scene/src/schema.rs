@@ -16,6 +16,7 @@ use crate::regions_report::RegionsReport;
 use crate::roll::RollReport;
 use crate::roll::spatial::{PoseReport, SpatialRollReport};
 use crate::run_report::RunReport;
+use crate::space::SpaceRunReport;
 use crate::sweep_report::SweepReport;
 use crate::yield_report::YieldReport;
 use schemars::generate::SchemaSettings;
@@ -45,6 +46,17 @@ pub fn scene() -> Schema {
 /// ```
 pub fn faces() -> Schema {
     of::<FacesReport>()
+}
+
+/// Of the result of a run in space.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::space_run().to_value();
+/// assert!(schema["properties"].as_object().unwrap().contains_key("faces"));
+/// ```
+pub fn space_run() -> Schema {
+    of::<SpaceRunReport>()
 }
 
 /// Of the result of a run.

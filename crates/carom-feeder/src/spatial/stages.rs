@@ -25,8 +25,20 @@ fn happened(run: &Run) -> Happened<State> {
     Happened {
         strikes: run.impacts.iter().map(|impact| impact.time).zip(&run.struck).map(strike).collect(),
         pieces: pieces.iter().map(|piece| [piece.start_time, piece.end_time]).collect(),
-        series: run.closings.iter().map(|closing| (closing.time, closing.limit)).collect(),
+        series: series(run),
     }
+}
+
+/// Series that were closed at their limits: a limit may be the last beat of a series of limits, which goes on to its own.
+fn series(run: &Run) -> Vec<(f64, f64)> {
+    let mut found: Vec<(f64, f64)> = vec![];
+    for closing in &run.closings {
+        match found.last_mut() {
+            Some((_, limit)) if *limit == closing.time => *limit = closing.limit,
+            _ => found.push((closing.time, closing.limit)),
+        }
+    }
+    found
 }
 
 fn by_name(prepared: &Prepared<'_>, run: &Run) -> Vec<Stage<State, Touch>> {

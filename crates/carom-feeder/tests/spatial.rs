@@ -1,0 +1,287 @@
+//! Feeders in space: against the engine of the plane, and against closed forms.
+
+#![allow(clippy::print_stdout, reason = "how far two engines differ is a measurement")]
+
+use carom_feeder::spatial::{self, Exit, Wall, WallForm, examples};
+use carom_feeder::{
+    Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
+};
+use carom_num::elementary::{sin_cos, tan};
+use carom_num::{Rotation, Vec2, Vec3};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+const SCENES: u64 = 1000;
+const IN_A_GROOVE: u64 = 100;
+/// Where no series of impacts is closed the two engines agree so far [s].
+const SAME_TIME: f64 = 1e-9;
+/// A series is closed at its limit, in each engine at another impact; after some hundred impacts the two part [s].
+const AFTER_SERIES: f64 = 1e-4;
+
+/// A box slides down a plate, over its end and onto another plate.
+struct Scene {
+    edges: [f64; 3],
+    slopes: [f64; 2],
+    friction: f64,
+    restitution: f64,
+    lower: Vec2,
+}
+
+impl Scene {
+    fn drawn(case: u64) -> Self {
+        let mut rng = Pcg64::seed_from_u64(case);
+        let edges =
+            [rng.random_range(0.03..0.06), rng.random_range(0.005..0.025), rng.random_range(0.01..0.03)];
+        let slopes: [f64; 2] = [rng.random_range(0.17..0.52), rng.random_range(0.09..0.44)];
+        let friction = rng.random_range(0.05..0.6 * tan(slopes[0]));
+        let restitution = if case.is_multiple_of(2) { 0.0 } else { rng.random_range(0.0..0.4) };
+        let lower = Vec2::new(rng.random_range(-0.2..-0.1), -rng.random_range(0.1..0.2));
+        Self { edges, slopes, friction, restitution, lower }
+    }
+
+    /// Uphill ends and free edges.
+    fn plates(&self) -> [(&'static str, Vec2, Vec2); 2] {
+        let [upper, lower] = self.slopes;
+        let rises = self.lower + Vec2::new(0.4, 0.4 * tan(lower));
+        [("upper", Vec2::new(-0.25, 0.25 * tan(upper)), Vec2::ZERO), ("lower", rises, self.lower)]
+    }
+
+    fn in_the_plane(&self) -> Feeder {
+        let plate = |(name, uphill, edge): (&str, Vec2, Vec2)| Plate {
+            name: name.to_owned(),
+            uphill,
+            edge,
+            friction: self.friction,
+            restitution: self.restitution,
+            unbounded: false,
+            form: Form::default(),
+        };
+        let [length, height, _] = self.edges;
+        let inertia = 0.05 * (length * length + height * height) / 12.0;
+        let part = Part::rectangle(length, height, 0.05, inertia).unwrap();
+        Feeder {
+            gravity: 9.81,
+            stop: Stop::Landed,
+            law: Default::default(),
+            // Its faces by their numbers: in space no face is an end.
+            part: Part { kind: PartKind::Polygon, ..part },
+            start: Start { to_edge: 0.12, speed: 0.0, face: 0 },
+            plates: self.plates().map(plate).to_vec(),
+            walls: vec![],
+        }
+    }
+
+    fn in_space(&self, walls: Vec<Wall>) -> spatial::Feeder {
+        let plate = |(name, uphill, edge): (&str, Vec2, Vec2)| spatial::Plate {
+            name: name.to_owned(),
+            uphill,
+            edge,
+            width: None,
+            roll: 0.0,
+            side_walls: 0.0,
+            friction: self.friction,
+            restitution: self.restitution,
+            unbounded: false,
+        };
+        let [x, y, z] = self.edges;
+        spatial::Feeder {
+            gravity: 9.81,
+            stop: Stop::Landed,
+            law: Default::default(),
+            part: examples::block(Vec3::new(x, y, z), 0.05),
+            start: spatial::Start { to_edge: 0.12, aside: 0.0, turn: 0.0, speed: 0.0, face: 0 },
+            plates: self.plates().map(plate).to_vec(),
+            walls,
+        }
+    }
+}
+
+/// The direction of a face of a box in the plane, by its number.
+fn direction(face: usize) -> Vec3 {
+    [-Vec3::Y, Vec3::X, Vec3::Y, -Vec3::X][face]
+}
+
+/// Outcome and face are the same; how far the times of landing differ, and whether a series was closed.
+fn differ(case: u64, scene: &Scene, walls: Vec<Wall>) -> (f64, bool) {
+    let plane = scene.in_the_plane().run().unwrap();
+    let feeder = scene.in_space(walls);
+    let space = feeder.run().unwrap();
+    assert_eq!(space.outcome, plane.outcome, "{case}");
+    let series = !space.closings.is_empty() || !plane.trace.accumulations.is_empty();
+    let (Some(own), Some(other)) = (space.final_landing(), plane.final_landing()) else {
+        return (0.0, series);
+    };
+    let normal = feeder.part.faces[own.face.unwrap()].normal;
+    assert!((normal - direction(other.face.unwrap())).norm() < 1e-9, "{case}: {own:?}, not {other:?}");
+    ((own.flat.unwrap() - other.flat.unwrap()).abs(), series)
+}
+
+fn told(what: &str, mut found: Vec<(f64, bool)>) {
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (series, most) in [(false, SAME_TIME), (true, AFTER_SERIES)] {
+        let times: Vec<f64> =
+            found.iter().filter(|(_, closed)| *closed == series).map(|(time, _)| *time).collect();
+        let (half, worst) = (times[times.len() / 2], times[times.len() - 1]);
+        let kind = if series { "with a series of impacts" } else { "without" };
+        println!("{what}, {} {kind}: half within {half:.1e} s, the worst {worst:.1e} s", times.len());
+        assert!(worst <= most, "{what}: {worst} s");
+    }
+}
+
+#[test]
+fn boxes_go_through_feeders_as_in_the_plane() {
+    let found = (0..SCENES).into_par_iter().map(|case| differ(case, &Scene::drawn(case), vec![]));
+    told("1000 feeders", found.collect());
+}
+
+#[test]
+fn a_smooth_groove_changes_nothing() {
+    let one = |case: u64| {
+        let scene = Scene::drawn(case);
+        let beside = |side: f64| Wall {
+            name: "groove".to_owned(),
+            form: WallForm::Beside { z: side * (0.5 * scene.edges[2] + 1e-3) },
+            friction: 0.0,
+            restitution: 0.0,
+        };
+        differ(case, &scene, vec![beside(1.0), beside(-1.0)])
+    };
+    told("100 feeders in a groove", (0..IN_A_GROOVE).into_par_iter().map(one).collect());
+}
+
+/// On a plate that is turned about its downhill line a box slides down the steepest line of it, `½ g (sin α − μ cos α) t²` far, with `cos α` the height of the plate's normal.
+#[test]
+fn a_box_slides_down_the_steepest_line_of_a_plate_that_is_rolled() {
+    for (roll, friction) in [(0.1, 0.15), (-0.3, 0.0), (0.25, 0.3)] {
+        let mut feeder = examples::two_plates();
+        feeder.plates.iter_mut().for_each(|plate| plate.friction = friction);
+        feeder.plates[0].roll = roll;
+        feeder.start.to_edge = 0.2;
+        let start = feeder.start_state();
+        let run = feeder.run().unwrap();
+        let slide = &run.stages[0];
+        assert_eq!(slide.name, StageName::Slide, "{roll}");
+        // The first piece is over where the first corner reaches the plate's end.
+        let piece = run.samples.pieces[0];
+        let down = Vec3::new(0.29, -0.08, 0.0).unit().unwrap();
+        let left = Vec3::new(-down.y, down.x, 0.0);
+        let normal = Rotation::by(down * roll).apply(left);
+        let (cosine, sine) = (normal.y, (1.0 - normal.y * normal.y).sqrt());
+        let steepest = (-Vec3::Y - normal * -normal.y).unit().unwrap();
+        let time = piece.end_time - piece.start_time;
+        let far = 0.5 * 9.81 * (sine - friction * cosine) * time * time;
+        let off = (piece.end.centre - start.centre - steepest * far).norm();
+        assert!(time > 0.1 && off < 1e-10, "{roll}, {friction}: {off} m off after {time} s");
+        assert!((piece.end.velocity - steepest * (2.0 * far / time)).norm() < 1e-10, "{roll}, {friction}");
+        // The side towards whoever looks is lowered by a positive roll.
+        assert_eq!(steepest.z > 0.0, roll > 0.0, "{steepest:?}");
+    }
+}
+
+#[test]
+fn side_walls_keep_a_part_on_its_plate() {
+    let mut feeder = examples::two_plates();
+    feeder.plates[0] =
+        spatial::Plate { width: Some(0.06), side_walls: 0.03, roll: 0.3, ..feeder.plates[0].clone() };
+    feeder.start.to_edge = 0.25;
+    let run = feeder.run().unwrap();
+    let down = Vec3::new(0.29, -0.08, 0.0).unit().unwrap();
+    let across = Rotation::by(down * 0.3).apply(Vec3::Z);
+    let on_plate = run.stages.iter().filter(|stage| stage.obstacle == Some(0)).map(|stage| stage.end_time);
+    let until = on_plate.fold(0.0, f64::max);
+    let mut widest: f64 = 0.0;
+    for (_, _, state) in run.samples.instants.iter().filter(|(time, ..)| *time <= until) {
+        for corner in feeder.part.body.supports() {
+            let place = state.place(*corner);
+            // Beyond the end of the plate its walls end too.
+            if down.dot(place) <= 0.0 {
+                widest = widest.max(across.dot(place).abs());
+            }
+        }
+    }
+    assert!(
+        (widest - 0.03).abs() < 1e-9,
+        "it slides along the wall, half of 60 mm from the middle: {widest}"
+    );
+    let free = spatial::Feeder {
+        plates: vec![
+            spatial::Plate { side_walls: 0.0, ..feeder.plates[0].clone() },
+            feeder.plates[1].clone(),
+        ],
+        ..feeder
+    };
+    assert_ne!(free.run().unwrap().end, run.end, "without walls it goes over the side");
+}
+
+#[test]
+fn runs_end_as_in_the_plane() {
+    let with = |friction: f64, lower: Vec2, stop: Stop| {
+        let mut feeder = examples::two_plates();
+        feeder.stop = stop;
+        feeder.plates.iter_mut().for_each(|plate| plate.friction = friction);
+        feeder.plates[1].uphill += lower;
+        feeder.plates[1].edge += lower;
+        feeder
+    };
+    let run = |feeder: &spatial::Feeder| feeder.run_untraced().unwrap();
+    assert_eq!(run(&with(0.5, Vec2::ZERO, Stop::Landed)).outcome, Outcome::Stuck, "tan 15.4° is 0.28");
+    assert_eq!(run(&with(0.15, Vec2::new(-2.0, 0.0), Stop::Landed)).outcome, Outcome::Missed, "far away");
+    let delivered = run(&with(0.0, Vec2::ZERO, Stop::Delivered));
+    assert_eq!(delivered.outcome, Outcome::Delivered);
+    let Exit { time, state } = delivered.exit.unwrap();
+    assert!(
+        time > delivered.landings[0].flat.unwrap() && state.velocity.x < 0.0,
+        "down to the left: {state:?}"
+    );
+    let free = spatial::Feeder { walls: vec![], ..with(0.15, Vec2::ZERO, Stop::Landed) };
+    let narrow = spatial::Plate { width: Some(0.012), ..free.plates[1].clone() };
+    let off = spatial::Feeder { plates: vec![free.plates[0].clone(), narrow], ..free };
+    let off = spatial::Feeder { start: spatial::Start { aside: 0.02, ..off.start }, ..off };
+    assert!(matches!(run(&off).outcome, Outcome::Escaped | Outcome::Missed), "beside a narrow plate");
+}
+
+#[test]
+fn every_problem_of_a_feeder_is_told() {
+    let mut feeder = examples::two_plates();
+    feeder.gravity = 0.0;
+    feeder.plates[0].roll = 2.0;
+    feeder.plates[1].friction = -1.0;
+    feeder.start.face = 9;
+    feeder.start.to_edge = 1.0;
+    let Err(RunError::Problems(problems)) = feeder.run() else { panic!("it is no feeder") };
+    let path = |problem: &FeederProblem| match problem {
+        FeederProblem::OutOfRange { path, .. } => path.clone(),
+        other => other.to_string(),
+    };
+    let paths: Vec<String> = problems.iter().map(path).collect();
+    assert_eq!(paths, ["gravity", "plate.upper.roll", "plate.lower.friction", "start.face", "start.to_edge"]);
+    let mut feeder = examples::two_plates();
+    feeder.walls.push(Wall {
+        name: "front".to_owned(),
+        form: WallForm::Beside { z: 0.005 },
+        friction: 0.0,
+        restitution: 0.0,
+    });
+    let crosses = FeederProblem::CrossesStart { path: "wall.front".to_owned() };
+    assert_eq!(feeder.run().unwrap_err(), RunError::Problems(vec![crosses]), "the bar is 20 mm wide");
+}
+
+/// However the part is turned on the first plate, it lies on the face that it starts on.
+#[test]
+fn a_part_starts_on_its_face() {
+    let mut feeder = examples::two_plates();
+    for face in 0..6 {
+        for turn in [0.0, 1.0, -2.5] {
+            feeder.start.face = face;
+            feeder.start.turn = turn;
+            let start = feeder.start_state();
+            let (sine, cosine) = sin_cos((0.08_f64 / 0.29).atan());
+            let normal = Vec3::new(sine, cosine, 0.0);
+            let down = start.attitude.apply(feeder.part.faces[face].normal);
+            assert!((down + normal).norm() < 1e-14, "{face}, {turn}: {down:?}");
+            let height = normal.dot(start.centre);
+            assert!((height - feeder.part.faces[face].depth).abs() < 1e-15, "{face}, {turn}: {height}");
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Scenes whose part is a solid.
+
+use carom_feeder::Outcome;
+use carom_scene::{AnyScene, ApproximationKind, Drawn, Problems, Scene, SpaceRunReport, SpaceScene, Word};
+use carom_study::yields::{Plan, Points, sample};
+
+const BAR: &str = r#"
+    [part]
+    box = ["40 mm", "10 mm", "20 mm"]
+    density = "7850 kg/m^3"
+    [contact]
+    friction = "0.15 ± 0.03"
+    [start]
+    to_edge = "100 mm"
+    turn = { low = "-10 deg", high = "10 deg" }
+    [[plate]]
+    name = "upper"
+    slope = "15 deg"
+    width = "60 mm"
+    [[plate]]
+    name = "lower"
+    slope = "10 deg"
+    downhill = "left"
+    below = { x = "-50 mm", y = "-160 mm" }
+    want = "turned"
+"#;
+
+fn problems(text: &str) -> Problems {
+    SpaceScene::parse("solid.toml", text).unwrap_err()
+}
+
+#[test]
+fn the_part_says_where_it_is_followed() {
+    let space = |text: &str| matches!(AnyScene::parse("some.toml", text), Ok(AnyScene::Space(_)));
+    assert!(space(BAR), "a box of three edges");
+    assert!(space(&BAR.replace("[part]", "[part]\nshape = \"solid\"")), "by its word");
+    assert!(!space("[part]\nshape = \"box\""), "a box of the plane");
+    let refused = Scene::parse("solid.toml", BAR).unwrap_err().to_string();
+    assert!(
+        refused.contains("solid.toml:2:6: part: is a solid") && refused.contains("carom yield"),
+        "{refused}"
+    );
+    let flat = SpaceScene::parse("flat.toml", "[part]\nshape = \"rod\"").unwrap_err().to_string();
+    assert!(flat.contains("followed in the plane"), "{flat}");
+}
+
+#[test]
+fn all_problems_of_a_scene_are_told() {
+    let text = r#"
+        [part]
+        shape = "solid"
+        box = ["40 mm", "0 mm", "20 mm"]
+        corner_radius = "1 mm"
+        [contact]
+        friction = -1
+        [start]
+        to_edge = "100 mm"
+        face = "resting"
+        [[plate]]
+        slope = "15 deg"
+        side_walls = "10 mm"
+        edge_radius = "1 mm"
+        [feed]
+        parts = 3
+    "#;
+    let found = problems(text);
+    let paths: Vec<&str> = found.list.iter().map(|problem| problem.path.as_str()).collect();
+    for path in [
+        "part.box.1",
+        "part.corner_radius",
+        "part.mass",
+        "contact.friction",
+        "start.face",
+        "plate.0.width",
+        "plate.0.edge_radius",
+        "feed",
+    ] {
+        assert!(paths.contains(&path), "{path} is not among {paths:?}");
+    }
+}
+
+#[test]
+fn what_is_drawn_is_checked_as_a_whole() {
+    let beyond = problems(&BAR.replace("[start]", "[start]\nface = 6")).to_string();
+    assert!(beyond.contains("start.face") && beyond.contains("0 to 5"), "{beyond}");
+    let aside = problems(&BAR.replace("[start]", "[start]\naside = \"40 mm\"")).to_string();
+    assert!(aside.contains("start.aside") && aside.contains("half the first plate's width"), "{aside}");
+    let groove = problems(&format!("groove = {{ width = \"19 mm\" }}\n{BAR}")).to_string();
+    assert!(groove.contains("wall.front wall") && groove.contains("crosses the part"), "{groove}");
+    let wanted = problems(&BAR.replace("want = \"turned\"", "want = 6")).to_string();
+    assert!(wanted.contains("plate.lower.want"), "{wanted}");
+}
+
+#[test]
+fn faces_of_a_box_have_the_numbers_of_the_plane() {
+    let scene = SpaceScene::parse("bar.toml", BAR).unwrap();
+    let report = SpaceRunReport::new(&scene, &scene.feeder().run().unwrap());
+    let normals: Vec<[f64; 3]> = report.faces.iter().map(|face| face.normal).collect();
+    let wanted = [
+        [0.0, -1.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [-1.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.0, 0.0, -1.0],
+    ];
+    assert_eq!(normals, wanted);
+    let heights: Vec<f64> = report.faces.iter().map(|face| face.centre_height_m).collect();
+    for (height, wanted) in heights.iter().zip([0.005, 0.02, 0.005, 0.02, 0.01, 0.01]) {
+        assert!((height - wanted).abs() < 1e-15, "{heights:?}");
+    }
+    assert_eq!(report.outcome, Word(Outcome::Landed));
+    assert_eq!((report.plates[0].face, report.wanted[0].met), (Some(2), true), "the opposite face is down");
+}
+
+#[test]
+fn a_hull_in_place_of_a_surface_is_said() {
+    let folder = "../../examples/solid_bolt.toml";
+    let AnyScene::Space(bolt) = AnyScene::read(folder.as_ref()).unwrap() else { panic!("a solid") };
+    let [hull] = bolt.approximations() else { panic!("one approximation") };
+    assert_eq!((hull.kind, hull.unit), (ApproximationKind::ConvexHull, "1"));
+    assert!(hull.amount > 0.3 && hull.text.contains("convex hull"), "{hull:?}");
+    let bar = SpaceScene::parse("bar.toml", BAR).unwrap();
+    assert!(bar.approximations().is_empty());
+}
+
+#[test]
+fn quantities_of_space_have_paths() {
+    let scene = SpaceScene::parse("bar.toml", &format!("groove = {{ width = \"30 mm\" }}\n{BAR}")).unwrap();
+    let paths: Vec<String> = scene.quantities().into_iter().map(|quantity| quantity.path).collect();
+    for path in ["start.turn", "start.aside", "groove.width", "plate.upper.width", "plate.upper.roll"] {
+        assert!(paths.iter().any(|found| found == path), "{path} is not among {paths:?}");
+    }
+    assert_eq!(scene.varied().unwrap().paths(), ["contact.friction", "start.turn"]);
+}
+
+/// Of each face from which parts come to a plate the shares sum to 1.
+#[test]
+fn a_yield_in_space_has_its_transitions() {
+    let text = BAR.replace("[start]", "[start]\nface = [{ face = 0, share = 1 }, { face = 4, share = 1 }]");
+    let scene = SpaceScene::parse("bar.toml", &text).unwrap();
+    let varied = scene.varied().unwrap();
+    let plan = Plan {
+        dimensions: varied.dimensions(),
+        samples: 4,
+        seed: 1,
+        points: Points::Sobol,
+        plates: 2,
+        plate: 1,
+    };
+    let wanted = |run: &_| scene.ends_as_wanted(run) == Some(true);
+    let found = sample(&plan, |point| varied.feeder(point), wanted, |point| varied.distance(point)).unwrap();
+    assert_eq!(found.drops, 64);
+    for face in [0, 4] {
+        let from = carom_study::Ending::Lies(carom_feeder::Verdict::Face(face));
+        let shares =
+            found.transitions.iter().filter(|found| found.from == from).map(|found| found.share.share);
+        assert!((shares.sum::<f64>() - 1.0).abs() < 1e-12, "from face {face}: {:?}", found.transitions);
+    }
+}
