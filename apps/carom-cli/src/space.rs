@@ -8,10 +8,8 @@ use crate::{files, pipeline, table};
 use carom::tasks::{self, space as space_tasks};
 use carom_feeder::Stage;
 use carom_feeder::spatial::{Feeder, Run};
-use carom_figure::milliseconds;
+use carom_figure::{SpaceRow, milliseconds, space_contacts, space_energy_change, space_rows, space_tilt};
 use carom_motion::spatial::{Impact, State, Touch};
-use carom_num::Vec3;
-use carom_num::elementary::atan2;
 use carom_scene::{AnyScene, SpaceRunReport, SpaceScene};
 use carom_words::{Words, part, run as run_words};
 use std::io::Write;
@@ -87,7 +85,9 @@ fn text(scene: &SpaceScene, run: &Run) -> String {
     }
     if let Some(k) = run.deciding_strike() {
         parts.push(format!("struck at {:.2} m/s", run.struck_at[k]));
-        parts.extend(energy_change(&run.impacts[k]).map(|change| format!("{} % energy", signed(change, 0))));
+        parts.extend(
+            space_energy_change(&run.impacts[k]).map(|change| format!("{} % energy", signed(change, 0))),
+        );
     }
     parts.extend(met(&scene.wanted(run)));
     let mut text = format!("{}\n\n{}", parts.join("   "), stages(&rows(feeder, run)));
@@ -105,28 +105,13 @@ fn text(scene: &SpaceScene, run: &Run) -> String {
     text
 }
 
-/// Change of kinetic energy in an impact [%].
-fn energy_change(impact: &Impact) -> Option<f64> {
-    let change = 100.0 * (impact.kinetic_after - impact.kinetic_before) / impact.kinetic_before;
-    change.is_finite().then_some(change)
-}
-
-/// Stages and the strikes between them, in order of time. Strikes within a stage of many are told by the stage.
+/// Stages and the strikes between them, in order of time.
 fn rows(feeder: &Feeder, run: &Run) -> Vec<[String; 8]> {
-    let mut rows = vec![];
-    let mut next = 0;
-    for stage in &run.stages {
-        while let Some(impact) = run.impacts.get(next).filter(|impact| impact.time <= stage.start_time) {
-            rows.push(strike_cells(feeder, run, next, impact));
-            next += 1;
-        }
-        while run.impacts.get(next).is_some_and(|impact| impact.time < stage.end_time) {
-            next += 1;
-        }
-        rows.push(stage_cells(feeder, stage));
-    }
-    rows.extend((next..run.impacts.len()).map(|k| strike_cells(feeder, run, k, &run.impacts[k])));
-    rows
+    let cells = |row: SpaceRow<'_>| match row {
+        SpaceRow::Stage(_, stage) => stage_cells(feeder, stage),
+        SpaceRow::Strike(k, impact) => strike_cells(feeder, run, k, impact),
+    };
+    space_rows(run).into_iter().map(cells).collect()
 }
 
 fn stage_cells(feeder: &Feeder, stage: &Stage<State, Touch>) -> [String; 8] {
@@ -138,23 +123,15 @@ fn stage_cells(feeder: &Feeder, stage: &Stage<State, Touch>) -> [String; 8] {
         format!("{:.4}", stage.start_time),
         milliseconds(stage.end_time - stage.start_time),
         both(&|state| state.velocity.norm(), 3),
-        both(&|state| tilt(feeder, state), 1),
+        both(&|state| space_tilt(feeder, state).to_degrees(), 1),
         both(&|state| state.spin.norm(), 2),
         run_words::stage_end(feeder, &stage.ended_by),
     ]
 }
 
 fn strike_cells(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> [String; 8] {
-    let change =
-        energy_change(impact).map_or(String::new(), |change| format!(", {} % energy", signed(change, 0)));
-    let count = |set: carom_motion::spatial::Supports| set.len();
-    let (slips, kept) = (count(impact.sliding), count(impact.kept));
-    let parts = [(slips, "slip"), (kept - slips, "stick"), (count(impact.opened()), "separate")];
-    let told: Vec<String> = parts
-        .iter()
-        .filter(|(number, _)| *number > 0)
-        .map(|(number, does)| if *number == 1 { format!("1 {does}s") } else { format!("{number} {does}") })
-        .collect();
+    let change = space_energy_change(impact)
+        .map_or(String::new(), |change| format!(", {} % energy", signed(change, 0)));
     [
         "STRIKE".to_owned(),
         part::obstacle(feeder, run.struck[k]),
@@ -163,13 +140,6 @@ fn strike_cells(feeder: &Feeder, run: &Run, k: usize, impact: &Impact) -> [Strin
         fixed(run.struck_at[k], 3),
         String::new(),
         from_to(fixed(impact.spin_before.norm(), 2), fixed(impact.spin_after.norm(), 2)),
-        format!("of {} contacts {}{change}", count(impact.touching), told.join(", ")),
+        format!("{}{change}", space_contacts(impact)),
     ]
-}
-
-/// The angle between the face that was down at the start and level ground [°].
-fn tilt(feeder: &Feeder, state: &State) -> f64 {
-    let down = feeder.part.faces.get(feeder.start.face).map_or(Vec3::Y, |face| face.normal);
-    let down = state.attitude.apply(down);
-    atan2(down.cross(-Vec3::Y).norm(), -down.y).to_degrees()
 }

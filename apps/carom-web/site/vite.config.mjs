@@ -8,13 +8,26 @@ const ENGINES = ["carom.wasm", "carom-whole.wasm"];
 const engine = (name) => readFileSync(new URL(`./engine/${name}`, import.meta.url));
 
 // The players are the reports' own: plain scripts there, modules here.
-const EXPORTED = { "player.js": "player", "solid_view.js": "solidView", "solid.js": "solidPlayer" };
+const EXPORTED = {
+  "player.js": "player",
+  "solid_camera.js": "solidCamera",
+  "solid_plates.js": "solidPlates",
+  "solid_view.js": "solidView",
+  "solid.js": "solidPlayer",
+};
+const NEEDS = {
+  solidPlayer: [["solidView", "./solid_view.js"]],
+  solidView: [
+    ["solidCamera", "./solid_camera.js"],
+    ["solidPlates", "./solid_plates.js"],
+  ],
+};
 const player = {
   name: "players-of-reports",
   transform(code, id) {
     const name = EXPORTED[id.slice(id.lastIndexOf("/") + 1)];
     if (name === undefined || !id.includes("carom-figure")) return null;
-    const needs = name === "solidPlayer" ? 'import { solidView } from "./solid_view.js";\n' : "";
+    const needs = (NEEDS[name] ?? []).map(([from, file]) => `import { ${from} } from "${file}";\n`).join("");
     return `${needs}${code}\nexport { ${name} };\n`;
   },
 };

@@ -7,6 +7,7 @@
 //! - [`report`]: one self-contained page with verdict, layout, animation, stages, plots and strikes;
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
 //! - [`solid_report`]: the same for a body in space, with an animation that can be turned;
+//! - [`space_report`]: the same for a run of a solid part through a feeder; [`space_rows`]: the rows of its table;
 //! - [`impact_report`]: the same for one impact;
 //! - [`yield_report`]: a page of its own for a yield study; [`pose_report`]: one for many throws of a body; [`validation_report`]: one for published results;
 //! - [`layout_svg`]: the plates with their dimensions, with or without a run; [`drawing_svg`] and [`layout_dxf`]: the same one to one, for a workshop;
@@ -73,6 +74,11 @@ mod simulators;
 mod solid;
 mod solid_scene;
 mod solid_tables;
+mod space_plates;
+mod space_report;
+mod space_rows;
+mod space_scene;
+mod space_tables;
 mod stage_table;
 mod strikes;
 mod svg;
@@ -118,9 +124,11 @@ pub use roll::{RollContact, RollFigure, RollStrike, roll_report};
 pub use sheet::drawing_svg;
 pub use simulators::simulator_files;
 pub use solid::{
-    SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidSeries, SolidStage, SolidState,
-    SolidStrike, solid_report,
+    SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidPlate, SolidSeries, SolidStage,
+    SolidState, SolidStrike, solid_report,
 };
+pub use space_report::{SpaceFigure, space_report};
+pub use space_rows::{SpaceRow, space_contacts, space_energy_change, space_rows, space_tilt};
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};
 pub use validation_page::{
     ValidatedResult, ValidatedRow, ValidatedValue, ValidationFigure, validation_report,

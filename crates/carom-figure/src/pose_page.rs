@@ -102,13 +102,14 @@ pub fn pose_report(figure: &PoseFigure<'_>) -> String {
 /// The body at rest, to be turned.
 fn picture(figure: &PoseFigure<'_>, drawing: SolidDrawing<'_>, instants: &[SolidInstant]) -> Markup {
     let PoseFigure { title, verdict, lead, notes, source, made_by, .. } = *figure;
-    let (stages, strikes, series) = (&[], &[], &[]);
+    let (around, stages, strikes, series) = (&[], &[], &[], &[]);
     solid_scene::section(&SolidFigure {
         title,
         verdict,
         lead,
         notes,
         drawing,
+        around,
         instants,
         stages,
         strikes,

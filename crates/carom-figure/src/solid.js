@@ -39,7 +39,7 @@ function solidPlayer(page, numbers, view) {
     const near = dot < 0 ? -1 : 1;
     const q = [4, 5, 6, 7].map((k) => a[k] + u * (near * b[k] - a[k]));
     const size = Math.hypot(...q);
-    return { at: [1, 2, 3].map((k) => a[k] + u * (b[k] - a[k])), q: q.map((x) => x / size), held: a[8] };
+    return { at: [1, 2, 3].map((k) => a[k] + u * (b[k] - a[k])), q: q.map((x) => x / size), held: a[8], also: a[9] };
   }
 
   const drawAt = solidView(root, canvas, numbers, poseAt, named, view ?? {});

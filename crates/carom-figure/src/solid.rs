@@ -27,12 +27,34 @@ pub struct SolidDrawing<'a> {
     pub names: &'a [String],
 }
 
+/// A plate or wall among which the body moves: a convex polygon.
+///
+/// # Example
+/// A strip of 0.2 m that goes on beyond the picture to either side of it.
+/// ```
+/// use carom_figure::SolidPlate;
+/// use carom_num::Vec3;
+/// let at = |x: f64, y: f64| Vec3::new(x, y, 0.0);
+/// let corners = vec![at(0.0, -1.0), at(0.2, -1.0), at(0.2, 1.0), at(0.0, 1.0)];
+/// let strip = SolidPlate { name: "track".to_owned(), corners, cut: vec![true, false, true, false] };
+/// assert!(strip.corners.len() == strip.cut.len());
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SolidPlate {
+    /// Its name; empty where it is a piece of the plate before it.
+    pub name: String,
+    /// Its corners in their order, world axes [m].
+    pub corners: Vec<Vec3>,
+    /// For each side, from its corner to the next: it is cut there, and goes on beyond the picture.
+    pub cut: Vec<bool>,
+}
+
 /// The body at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidInstant {
     /// [s].
     pub time: f64,
-    /// Mass centre, world axes: z is the plane's normal, the plane is z = 0 [m].
+    /// Mass centre, world axes: z is up; without plates it is the plane's normal, and the plane is z = 0 [m].
     pub centre: Vec3,
     /// The rotation of the body's axes into the world's.
     pub attitude: Rotation,
@@ -40,6 +62,8 @@ pub struct SolidInstant {
     pub tilt: f64,
     /// The points that are held on the plane.
     pub held: Vec<usize>,
+    /// Where else it touches, in its own axes [m]: an edge on an edge, a face on a corner.
+    pub places: Vec<Vec3>,
 }
 
 /// What it does between two events.
@@ -120,6 +144,8 @@ pub struct SolidStrike {
     pub outcome: String,
     /// What comes down.
     pub struck: String,
+    /// Where else than at its points it is struck, world axes [m].
+    pub places: Vec<Vec3>,
     /// Angle from flat [rad].
     pub tilt: f64,
     /// Spin before and after, body axes; not finite where there is no way on [rad/s].
@@ -159,6 +185,8 @@ pub struct SolidFigure<'a> {
     pub notes: &'a [String],
     /// The body.
     pub drawing: SolidDrawing<'a>,
+    /// The plates and walls among which it moves; where there are none it moves on the plane z = 0.
+    pub around: &'a [SolidPlate],
     /// Its motion: at least one instant.
     pub instants: &'a [SolidInstant],
     /// What it does between its strikes.

@@ -2,7 +2,8 @@
 
 use crate::markup::{Markup, html};
 use crate::player::{Controls, json_text, numbers_element};
-use crate::solid::{SolidFigure, SolidInstant};
+use crate::solid::{SolidFigure, SolidInstant, SolidPlate};
+use carom_num::Vec3;
 
 /// Instants that the player keeps.
 const MOST_SAMPLES: usize = 2000;
@@ -26,6 +27,8 @@ const SPEEDS: [(f64, &str); 9] = [
 
 /// The player, and what starts it on a page of its own.
 pub(crate) const SCRIPT: &str = concat!(
+    include_str!("solid_camera.js"),
+    include_str!("solid_plates.js"),
     include_str!("solid_view.js"),
     include_str!("solid.js"),
     "const numbers = document.getElementById(\"solid-numbers\");\n",
@@ -41,7 +44,7 @@ fn span(figure: &SolidFigure<'_>) -> Option<f64> {
 pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
     let Some(span) = span(figure) else { return html! {} };
     html! {
-        section id="motion" {
+        section id="motion" class=[(!figure.around.is_empty()).then_some("among")] {
             h2 { @if span > 0.0 { "Motion" } @else { "Picture" } }
             (player(figure))
             noscript { p.note { "The animation needs JavaScript; the chart below shows the same motion." } }
@@ -53,24 +56,28 @@ pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
 /// The canvas with what plays it; empty where there is no instant.
 pub(crate) fn player(figure: &SolidFigure<'_>) -> Markup {
     let Some(span) = span(figure) else { return html! {} };
+    let among = !figure.around.is_empty();
+    let shown = if among { "The part among its plates." } else { "The body on its plane." };
     html! {
         div id="player" class="player solid" tabindex="0" role="group" aria-label="Animation of the body" {
             canvas id="solid" tabindex="0" role="application"
-                aria-label="The body on its plane. Arrow keys turn the view, plus and minus bring it nearer, zero puts it back." {}
-            (states())
+                aria-label={ (shown) " Arrow keys turn the view, plus and minus bring it nearer, zero puts it back." } {}
+            (states(figure.around))
             @if span > 0.0 { (controls(span)) }
         }
     }
 }
 
-/// What the colours of the points say, and how the view is turned.
-fn states() -> Markup {
+/// What the colours of the points say, what a cut plate looks like, and how the view is turned.
+fn states(around: &[SolidPlate]) -> Markup {
+    let is_cut = around.iter().any(|plate| plate.cut.contains(&true));
     html! {
         p.states {
             span { i.held {} "held" }
             span { i.struck {} "strikes" }
-            span { i.free {} "free" }
-            span {
+            @if around.is_empty() { span { i.free {} "free" } }
+            @if is_cut { span { i.cut {} "the plate goes on: the picture cuts it" } }
+            span.turns {
                 "Drag to turn; wheel with Ctrl, or + and −, to come nearer; double click to put it back."
             }
         }
@@ -90,10 +97,7 @@ fn controls(span: f64) -> Markup {
 pub(crate) fn numbers(figure: &SolidFigure<'_>) -> String {
     let drawing = &figure.drawing;
     let size = drawing.corners.iter().map(|r| r.norm()).fold(f64::MIN_POSITIVE, f64::max);
-    let places = |points: &[carom_num::Vec3]| {
-        let of = |r: &carom_num::Vec3| list(&(*r / size).to_array());
-        points.iter().map(of).collect::<Vec<_>>().join(",")
-    };
+    let places = |points: &[Vec3]| places(points, size);
     let faces: Vec<String> = drawing.faces.iter().map(|face| format!("{face:?}")).collect();
     let names: Vec<String> = drawing.names.iter().map(|name| json_text(name)).collect();
     let samples: Vec<String> = kept(figure.instants).map(|instant| sample(instant, size)).collect();
@@ -107,11 +111,11 @@ pub(crate) fn numbers(figure: &SolidFigure<'_>) -> String {
             // By name: a strike that has no way on has no contacts to list.
             let struck = s.struck.split(", ");
             let points = struck.filter_map(|struck| drawing.names.iter().position(|name| name == struck));
-            format!("[{},{:?}]", s.time, points.collect::<Vec<_>>())
+            format!("[{},{:?}{}]", s.time, points.collect::<Vec<_>>(), more(&s.places, size))
         })
         .collect();
     format!(
-        "{{\"corners\":[{}],\"faces\":[{}],\"lines\":{:?},\"points\":[{}],\"names\":[{}],\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]}}",
+        "{{\"corners\":[{}],\"faces\":[{}],\"lines\":{:?},\"points\":[{}],\"names\":[{}],\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]{}}}",
         places(drawing.corners),
         faces.join(","),
         drawing.lines,
@@ -119,8 +123,30 @@ pub(crate) fn numbers(figure: &SolidFigure<'_>) -> String {
         names.join(","),
         samples.join(","),
         stages.join(","),
-        strikes.join(",")
+        strikes.join(","),
+        plates(figure.around, size)
     )
+}
+
+/// The plates, where there are any: each with its name, its corners, and which of its sides are cut.
+fn plates(around: &[SolidPlate], size: f64) -> String {
+    if around.is_empty() {
+        return String::new();
+    }
+    let finite = around.iter().filter(|plate| plate.corners.iter().all(|corner| corner.is_finite()));
+    let of = |plate: &SolidPlate| {
+        format!("[{},[{}],{:?}]", json_text(&plate.name), places(&plate.corners, size), plate.cut)
+    };
+    format!(",\"plates\":[{}]", finite.map(of).collect::<Vec<_>>().join(","))
+}
+
+fn places(points: &[Vec3], size: f64) -> String {
+    points.iter().map(|r| list(&(*r / size).to_array())).collect::<Vec<_>>().join(",")
+}
+
+/// Places at the end of a list, where there are any.
+fn more(points: &[Vec3], size: f64) -> String {
+    if points.is_empty() { String::new() } else { format!(",[{}]", places(points, size)) }
 }
 
 /// Few instants of many: but every one at which what is held changes.
@@ -137,11 +163,12 @@ fn kept(instants: &[SolidInstant]) -> impl Iterator<Item = &SolidInstant> {
 
 fn sample(instant: &SolidInstant, size: f64) -> String {
     format!(
-        "[{},{},{},{:?}]",
+        "[{},{},{},{:?}{}]",
         instant.time,
         numbers_of(&(instant.centre / size).to_array()),
         numbers_of(&instant.attitude.to_array()),
-        instant.held
+        instant.held,
+        more(&instant.places, size)
     )
 }
 

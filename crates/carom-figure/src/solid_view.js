@@ -1,11 +1,13 @@
-// Draws a body in space on its plane; the view is turned by dragging.
-// `poseAt(t)` gives its place, the attitude as a quaternion and the points that are held; what is returned draws an instant.
+// Draws a body in space on its plane, or among plates and walls; z is up, and the view is turned by dragging.
+// `poseAt(t)` gives its place, the attitude as a quaternion, the points that are held and where else it touches; what is returned draws an instant.
 function solidView(root, canvas, numbers, poseAt, named, view) {
   "use strict";
-  const { corners, faces, lines, points, names, samples, strikes } = numbers;
+  const { corners, faces, lines, points, names, samples, stages, strikes } = numbers;
   const pen = canvas.getContext("2d");
   const span = Math.max(samples[samples.length - 1][0] - samples[0][0], 1e-12);
-  const home = { yaw: -0.95, pitch: 0.42, zoom: 1 };
+  const plates = solidPlates(pen, numbers.plates ?? []);
+  // Plates are looked at as they are drawn: x to the right.
+  const home = plates.any ? { yaw: -1.25, pitch: 0.34, zoom: 1 } : { yaw: -0.95, pitch: 0.42, zoom: 1 };
   if (view.zoom === undefined) Object.assign(view, home);
   let now = samples[0][0];
 
@@ -35,20 +37,13 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     return [low.map((x, k) => x + half[k]), Math.hypot(...half)];
   })();
 
-  function camera() {
-    const [cy, sy, cp, sp] = [Math.cos(view.yaw), Math.sin(view.yaw), Math.cos(view.pitch), Math.sin(view.pitch)];
-    const away = 6 * reach;
-    const [w, h] = [canvas.clientWidth, canvas.clientHeight];
-    const scale = ((0.45 * Math.min(w * 0.75, h)) / reach) * view.zoom;
-    return ([x, y, z]) => {
-      const [dx, dy, dz] = [x - target[0], y - target[1], z - target[2]];
-      const right = -sy * dx + cy * dy;
-      const out = cp * (cy * dx + sy * dy) + sp * dz;
-      const up = -sp * (cy * dx + sy * dy) + cp * dz;
-      const near = away / (away - out);
-      return [0.5 * w + scale * near * right, 0.5 * h - scale * near * up, out];
-    };
-  }
+  // Places of the body on its way: few of many.
+  const way = (() => {
+    const every = Math.max(1, Math.floor(samples.length / 60));
+    return samples.filter((_, i) => i % every === 0 || i === samples.length - 1).map((sample) => sample.slice(1, 4));
+  })();
+
+  const { boxes, along, lens, camera, hull, area } = solidCamera(canvas, view, plates, way, target, reach);
 
   function colours() {
     const style = getComputedStyle(root);
@@ -87,24 +82,6 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     }
   }
 
-  // The outline of points in the plane.
-  function hull(places) {
-    const sorted = [...places].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-    const side = (list) => {
-      const out = [];
-      for (const p of list) {
-        while (out.length > 1) {
-          const [a, b] = out.slice(-2);
-          if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0) break;
-          out.pop();
-        }
-        out.push(p);
-      }
-      return out.slice(0, -1);
-    };
-    return [...side(sorted), ...side(sorted.reverse())];
-  }
-
   function shadow(project, world, c) {
     polygon(hull(world.map(([x, y]) => [x, y])).map(([x, y]) => project([x, y, 0])));
     pen.globalAlpha = 0.1;
@@ -113,68 +90,105 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     pen.globalAlpha = 1;
   }
 
-  const tracks = strikes.slice(0, 200).flatMap(([t, struck]) => {
+  const tracks = strikes.slice(0, 200).flatMap(([t, struck, places], k) => {
     const pose = poseAt(t);
-    return struck.map((i) => placed(pose, points[i]));
+    return [...struck.map((i) => placed(pose, points[i])), ...(places ?? [])].map((at) => [...at, k + 1]);
   });
 
+  // Where stages begin, and at the end: what a picture that stands still shows of the way. Those that would hide each other are left out.
+  const ghosts = (() => {
+    if (!plates.any) return [];
+    const shown = [];
+    for (const t of [...stages.map((s) => s[2]), ...strikes.map(([t]) => t), samples[samples.length - 1][0]]) {
+      const pose = poseAt(t);
+      const close = (other) => Math.hypot(...other.at.map((x, k) => x - pose.at[k])) < 1.2;
+      if (shown.length < 16 && !shown.some(close)) shown.push(pose);
+    }
+    return shown.map((pose) => corners.map((corner) => placed(pose, corner)));
+  })();
+
+  function ghost(project, world, c) {
+    polygon(hull(world.map((at) => project(at).slice(0, 2))));
+    pen.fillStyle = c.ink;
+    pen.globalAlpha = 0.04;
+    pen.fill();
+    pen.strokeStyle = c.ink;
+    pen.lineWidth = 1;
+    pen.globalAlpha = 0.3;
+    pen.stroke();
+    pen.globalAlpha = 1;
+  }
+
+  // A ring where it strikes; among plates with the number of the strike, where that is not on another.
   function marks(project, c) {
+    const numbered = [];
+    pen.font = "10px system-ui, sans-serif";
     for (const place of tracks) {
-      const [x, y] = project([place[0], place[1], 0]);
+      const [x, y] = project(plates.any ? place : [place[0], place[1], 0]);
       pen.globalAlpha = 0.5;
       pen.strokeStyle = c.red;
       pen.lineWidth = 1.2;
       pen.beginPath();
       pen.ellipse(x, y, 5, 5 * Math.max(Math.abs(Math.sin(view.pitch)), 0.15), 0, 0, 7);
       pen.stroke();
+      if (!plates.any || numbered.some(([u, v]) => Math.abs(u - x) < 11 && Math.abs(v - y) < 11)) continue;
+      numbered.push([x, y]);
+      pen.globalAlpha = 1;
+      pen.fillStyle = c.red;
+      pen.fillText(String(place[3]), x - 3, y + 14);
     }
     pen.globalAlpha = 1;
   }
 
   function path(project, c) {
-    pen.strokeStyle = c.blue;
-    pen.globalAlpha = 0.55;
-    pen.lineWidth = 1.3;
-    pen.beginPath();
     const every = Math.max(1, Math.floor(samples.length / 600));
-    for (let i = 0; i < samples.length && samples[i][0] <= now; i += every) {
-      const [x, y] = project(samples[i].slice(1, 4));
-      if (i) pen.lineTo(x, y);
-      else pen.moveTo(x, y);
-    }
-    pen.stroke();
-    pen.globalAlpha = 1;
+    const line = (until, alpha) => {
+      pen.strokeStyle = c.blue;
+      pen.globalAlpha = alpha;
+      pen.lineWidth = 1.3;
+      pen.beginPath();
+      for (let i = 0; i < samples.length && samples[i][0] <= until; i += every) {
+        const [x, y] = project(samples[i].slice(1, 4));
+        if (i) pen.lineTo(x, y);
+        else pen.moveTo(x, y);
+      }
+      pen.stroke();
+      pen.globalAlpha = 1;
+    };
+    if (plates.any) line(Infinity, 0.25);
+    line(now, 0.55);
   }
 
   // Faces from the back: those that look away are seen through the others.
-  function body(project, world, c) {
+  function body(project, world, c, thin) {
     const seen = world.map(project);
     const drawn = faces.map((face) => {
       const places = face.map((i) => seen[i]);
-      let area = 0;
-      places.forEach(([x, y], i) => {
-        const [u, v] = places[(i + 1) % places.length];
-        area += x * v - u * y;
-      });
       const [a, b, d] = face.map((i) => world[i]);
       const [p, q] = [b.map((x, k) => x - a[k]), d.map((x, k) => x - a[k])];
       const n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
       const length = Math.hypot(...n) || 1;
       const light = (0.35 * n[0] - 0.5 * n[1] + 0.79 * n[2]) / length;
-      return { places, front: area < 0, light, depth: places.reduce((s, x) => s + x[2], 0) / places.length };
+      return { places, front: area(places) < 0, light, depth: places.reduce((s, x) => s + x[2], 0) / places.length };
     });
     drawn.sort((a, b) => a.front - b.front || a.depth - b.depth);
     for (const { places, front, light } of drawn) {
       polygon(places);
+      if (front && plates.any) {
+        pen.fillStyle = c.panel;
+        pen.globalAlpha = 0.6;
+        pen.fill();
+      }
       pen.fillStyle = c.ink;
       pen.globalAlpha = front ? 0.2 - 0.13 * light : 0.03;
       pen.fill();
       pen.globalAlpha = front ? 0.95 : 0.28;
       pen.strokeStyle = c.ink;
-      pen.lineWidth = front ? 1.8 : 1;
+      pen.lineWidth = (front ? 1.8 : 1) * (thin ? 0.65 : 1);
       pen.lineJoin = "round";
       pen.setLineDash(front ? [] : [4, 4]);
-      pen.stroke();
+      // A small body with its far sides dashed is a tangle.
+      if (front || !thin) pen.stroke();
       pen.setLineDash([]);
     }
     pen.globalAlpha = 1;
@@ -202,31 +216,100 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     }
   }
 
+  function dot(x, y, size, colour, filled, c) {
+    pen.beginPath();
+    pen.arc(x, y, size, 0, 7);
+    pen.fillStyle = filled ? colour : c.panel;
+    pen.fill();
+    pen.strokeStyle = colour;
+    pen.lineWidth = plates.any ? 1 : 2;
+    pen.stroke();
+  }
+
+  function ring(x, y, c) {
+    pen.beginPath();
+    pen.arc(x, y, 11, 0, 7);
+    pen.strokeStyle = c.red;
+    pen.lineWidth = 2;
+    pen.stroke();
+  }
+
   function contacts(project, pose, c) {
     const flash = 0.02 * span;
-    const hit = new Set(strikes.filter(([t]) => t <= now + 1e-12 && now - t < flash).flatMap(([, struck]) => struck));
+    const fresh = strikes.filter(([t]) => t <= now + 1e-12 && now - t < flash);
+    const hit = new Set(fresh.flatMap(([, struck]) => struck));
+    const large = plates.any ? 3.4 : 5.5;
     points.forEach((r, i) => {
-      const [x, y] = project(placed(pose, r));
       const held = pose.held.includes(i);
-      pen.beginPath();
-      pen.arc(x, y, held ? 5.5 : 4.5, 0, 7);
-      pen.fillStyle = hit.has(i) ? c.red : held ? c.green : c.panel;
-      pen.fill();
-      pen.strokeStyle = hit.has(i) ? c.red : held ? c.green : c.grey;
-      pen.lineWidth = 2;
-      pen.stroke();
-      if (hit.has(i)) {
-        pen.beginPath();
-        pen.arc(x, y, 11, 0, 7);
-        pen.stroke();
-      }
+      // Among plates a body is small: of its points those are shown that touch.
+      if (plates.any && !held && !hit.has(i)) return;
+      const [x, y] = project(placed(pose, r));
+      const colour = hit.has(i) ? c.red : held ? c.green : c.grey;
+      dot(x, y, held ? large : large - 1, colour, held || hit.has(i), c);
+      if (hit.has(i)) ring(x, y, c);
     });
-    if (!named || named.checked) pointNames(project, pose, c);
+    for (const r of pose.also ?? []) dot(...project(placed(pose, r)).slice(0, 2), large, c.green, true, c);
+    for (const place of fresh.flatMap(([, , places]) => places ?? [])) ring(...project(place).slice(0, 2), c);
+    if (!plates.any && (!named || named.checked)) pointNames(project, pose, c);
     const [x, y] = project(pose.at);
     pen.beginPath();
-    pen.arc(x, y, 3, 0, 7);
+    pen.arc(x, y, plates.any ? 2.2 : 3, 0, 7);
     pen.fillStyle = c.blue;
     pen.fill();
+  }
+
+  // The numbers of the faces that are seen, then those of their corners where there is room.
+  function numbersOn(project, world, c) {
+    const seen = world.map(project);
+    const taken = [];
+    const put = (text, x, y, font, colour) => {
+      pen.font = font;
+      const half = 0.5 * pen.measureText(text).width;
+      const box = [x - half, y - 6, x + half, y + 6];
+      if (taken.some(([p, q, r, t]) => box[0] < r + 2 && p < box[2] + 2 && box[1] < t + 1 && q < box[3] + 1)) return;
+      taken.push(box);
+      pen.lineWidth = 3;
+      pen.strokeStyle = c.panel;
+      pen.strokeText(text, x - half, y + 5);
+      pen.fillStyle = colour;
+      pen.fillText(text, x - half, y + 5);
+    };
+    const front = faces.map((face, i) => [i, face.map((k) => seen[k]), area(face.map((k) => seen[k]))]);
+    const shown = front.filter(([, , size]) => size < -420).sort((a, b) => a[2] - b[2]);
+    for (const [i, places] of shown) {
+      const middle = [0, 1].map((k) => places.reduce((sum, at) => sum + at[k], 0) / places.length);
+      put(String(i), ...middle, "700 15px system-ui, sans-serif", c.blue);
+    }
+    const centre = [0, 1].map((k) => seen.reduce((sum, at) => sum + at[k], 0) / seen.length);
+    for (const i of new Set(front.filter(([, , size]) => size < 0).flatMap(([face]) => faces[face]))) {
+      const out = [seen[i][0] - centre[0], seen[i][1] - centre[1]];
+      const far = Math.hypot(...out) || 1;
+      put(names[i], seen[i][0] + (11 * out[0]) / far, seen[i][1] + (11 * out[1]) / far, "11px system-ui, sans-serif", c.soft);
+    }
+  }
+
+  // The body alone as it is now, large enough for the numbers of its faces.
+  function alone(box, pose, world, c) {
+    const [left, top, right, bottom] = box;
+    const size = 0.36 * Math.min(right - left, bottom - top);
+    const project = lens(box, along(pose.at), 6, size, [0, 0]);
+    pen.fillStyle = c.panel;
+    pen.fillRect(left, top, right - left, bottom - top);
+    body(project, world, c);
+    if (!named || named.checked) numbersOn(project, world, c);
+    contacts(project, pose, c);
+  }
+
+  function amongPlates(box, alone, project, world, pose, c) {
+    const eye = [Math.cos(view.yaw) * Math.cos(view.pitch), Math.sin(view.yaw) * Math.cos(view.pitch), Math.sin(view.pitch)];
+    const [behind, before] = plates.ordered(eye.map((x, k) => target[k] + 1e3 * reach * x), pose.at);
+    plates.draw(behind, false, project, c);
+    plates.shadow(project, world, pose.at, hull, c);
+    for (const other of ghosts) ghost(project, other, c);
+    return () => {
+      plates.draw(before, true, project, c);
+      plates.names(project, way, box, alone ? [alone] : [], c);
+    };
   }
 
   function draw() {
@@ -236,20 +319,26 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, w, h);
     const c = colours();
-    const project = camera();
     const pose = poseAt(now);
+    const box = boxes();
+    const project = camera(box.scene, pose);
     const world = corners.map((corner) => placed(pose, corner));
-    ground(project, c);
-    shadow(project, world, c);
+    const last = plates.any && amongPlates(box.scene, box.alone, project, world, pose, c);
+    if (!plates.any) {
+      ground(project, c);
+      shadow(project, world, c);
+    }
     marks(project, c);
-    body(project, world, c);
+    body(project, world, c, plates.any);
     path(project, c);
     contacts(project, pose, c);
+    if (last) last();
+    if (box.alone) alone(box.alone, pose, world, c);
   }
 
   function turn(yaw, pitch) {
     view.yaw += yaw;
-    view.pitch = Math.min(Math.max(view.pitch + pitch, -0.3), 1.55);
+    view.pitch = Math.min(Math.max(view.pitch + pitch, plates.any ? -1.55 : -0.3), 1.55);
     draw();
   }
 
@@ -303,7 +392,7 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     action();
   });
   window.addEventListener("resize", draw);
-  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+  for (const media of ["(prefers-color-scheme: dark)", "print"]) window.matchMedia(media).addEventListener("change", draw);
   return (t) => {
     now = t;
     draw();

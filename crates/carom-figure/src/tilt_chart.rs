@@ -37,6 +37,14 @@ impl Scale {
 
 /// The section; empty where nothing moves.
 pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
+    section_of(
+        figure,
+        "The angle from flat of the face that is nearest to the plane. Red: strikes, by their numbers.",
+    )
+}
+
+/// The same with other words on what the tilt is.
+pub(crate) fn section_of(figure: &SolidFigure<'_>, what: &str) -> Markup {
     let (Some(first), Some(last)) = (figure.instants.first(), figure.instants.last()) else {
         return html! {};
     };
@@ -53,7 +61,7 @@ pub(crate) fn section(figure: &SolidFigure<'_>) -> Markup {
             figure {
                 div.wide tabindex="0" { (chart(figure, &scale)) }
                 figcaption {
-                    "The angle from flat of the face that is nearest to the plane. Red: strikes, by their numbers."
+                    (what)
                     @if !figure.series.is_empty() {
                         " Shaded: infinitely many strikes, closed at their limit."
                     }

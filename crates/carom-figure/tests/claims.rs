@@ -412,8 +412,21 @@ fn a_walk_has_all_stages_and_all_contacts() {
 fn solid() -> SolidFigure<'static> {
     let drawing = SolidDrawing { corners: &[], faces: &[], lines: &[], points: &[], names: &[] };
     let (title, verdict, lead, source, made_by) = ("a <stool>", "at rest", "", "", "");
-    let (notes, instants, stages, strikes, series) = (&[], &[], &[], &[], &[]);
-    SolidFigure { title, verdict, lead, notes, drawing, instants, stages, strikes, series, source, made_by }
+    let (notes, around, instants, stages, strikes, series) = (&[], &[], &[], &[], &[], &[]);
+    SolidFigure {
+        title,
+        verdict,
+        lead,
+        notes,
+        drawing,
+        around,
+        instants,
+        stages,
+        strikes,
+        series,
+        source,
+        made_by,
+    }
 }
 
 fn page_of_strikes(strikes: &[SolidStrike]) -> String {
@@ -422,7 +435,7 @@ fn page_of_strikes(strikes: &[SolidStrike]) -> String {
 
 /// Where a body is, with its supports of these numbers held.
 fn instant(time: f64, centre: Vec3, attitude: Rotation, held: Vec<usize>) -> [SolidInstant; 1] {
-    [SolidInstant { time, centre, attitude, tilt: 0.0, held }]
+    [SolidInstant { time, centre, attitude, tilt: 0.0, held, places: vec![] }]
 }
 
 /// A quarter of 100 throws, on a face that the mass centre stands 10 mm above and 5 mm inside.

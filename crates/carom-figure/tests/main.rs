@@ -8,4 +8,5 @@ mod joint;
 mod many_corners;
 mod regions;
 mod report;
+mod space;
 mod yields;

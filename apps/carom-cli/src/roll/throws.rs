@@ -155,6 +155,7 @@ fn resting_instant(problem: &SpatialRollProblem, found: &Poses) -> SolidInstant 
         attitude: state.attitude,
         tilt: problem.tilt(&state),
         held: vec![],
+        places: vec![],
     }
 }
 

@@ -16,6 +16,7 @@ fn page(times: &[f64]) -> String {
             attitude: Rotation::by(Vec3::Z * *t),
             tilt: *t,
             held: vec![1, 2, 3],
+            places: vec![],
         })
         .collect();
     let contact = SolidContact { name: names[0].clone(), ..SolidContact::default() };
@@ -32,6 +33,7 @@ fn page(times: &[f64]) -> String {
             points: &corners,
             names: &names,
         },
+        around: &[],
         instants: &instants,
         stages: &[],
         strikes: &[strike],

@@ -1,10 +1,13 @@
-//! A part in space on its way through a feeder: the files of its run.
+//! A part in space on its way through a feeder: its page, and the files of its run.
 
+use super::MADE_BY;
 use carom_feeder::spatial::Run;
+use carom_figure::{SpaceFigure, Wish, space_report};
 use carom_scene::{SpaceRunReport, SpaceScene};
+use carom_words::part;
 use std::fmt::Write as _;
 
-/// The files of a run, the one to look at last: the result as JSON, the way as CSV.
+/// The files of a run, the one to look at last: the way as CSV, the result as JSON, the report as one HTML page.
 ///
 /// # Errors
 /// None in practice: what is written are numbers and names.
@@ -16,11 +19,42 @@ use std::fmt::Write as _;
 /// let scene = SpaceScene::parse("stays.toml", text)?;
 /// let files = run_files(&scene, &scene.feeder().run()?).unwrap();
 /// assert!(files.iter().any(|(name, text)| *name == "run.json" && text.contains("stuck")));
+/// assert!(files.last().is_some_and(|(name, text)| *name == "report.html" && text.contains("Stuck")));
 /// # Ok::<(), carom::Error>(())
 /// ```
 pub fn run_files(scene: &SpaceScene, run: &Run) -> Result<Vec<(&'static str, String)>, serde_json::Error> {
-    let result = serde_json::to_string_pretty(&SpaceRunReport::new(scene, run))?;
-    Ok(vec![("trace.csv", trace(run)), ("run.json", format!("{result}\n"))])
+    let report = SpaceRunReport::new(scene, run);
+    let result = serde_json::to_string_pretty(&report)?;
+    Ok(vec![
+        ("trace.csv", trace(run)),
+        ("run.json", format!("{result}\n")),
+        ("report.html", page(scene, run, &report)),
+    ])
+}
+
+/// The report of a run, one HTML page.
+fn page(scene: &SpaceScene, run: &Run, report: &SpaceRunReport) -> String {
+    let feeder = scene.feeder();
+    let label = |name: &str| match feeder.plates.iter().position(|plate| plate.name == name) {
+        Some(plate) => part::obstacle(feeder, plate),
+        None => name.to_owned(),
+    };
+    let wish = |wanted: &carom_scene::Wanted| Wish {
+        plate: label(&wanted.plate),
+        want: wanted.want.clone(),
+        met: wanted.met,
+    };
+    space_report(&SpaceFigure {
+        title: scene.name(),
+        feeder,
+        run,
+        wanted: &report.wanted.iter().map(wish).collect::<Vec<_>>(),
+        margins: &report.faces.iter().map(|face| face.margin_m).collect::<Vec<_>>(),
+        approximations: &report.approximations.iter().map(|found| found.text.clone()).collect::<Vec<_>>(),
+        notes: scene.notes(),
+        source: scene.source(),
+        made_by: MADE_BY,
+    })
 }
 
 /// Time, place, attitude, velocity and spin at every sample.

@@ -39,6 +39,7 @@ pub(super) fn shown<T>(study: &SolidStudy, title: &str, show: impl FnOnce(&Solid
         lead: &[words::lead(report), vec![report.end.words.clone()]].concat().join(" · "),
         notes: &notes(problem, &about),
         drawing: drawing(problem),
+        around: &[],
         instants: &instants,
         stages: &stages,
         strikes: &strikes,
@@ -80,6 +81,7 @@ fn instants(problem: &SpatialRollProblem, run: &SpatialRollRun) -> Vec<SolidInst
         attitude: state.attitude,
         tilt: problem.tilt(state),
         held,
+        places: vec![],
     };
     let held = |mode: &Mode| mode.held(&problem.world).iter().collect();
     if run.instants.is_empty() {
@@ -112,6 +114,7 @@ fn strike(strike: &SpatialStrikeReport) -> SolidStrike {
         state: strike.state.clone(),
         outcome: strike.outcome.to_string(),
         struck: strike.struck.join(", "),
+        places: vec![],
         tilt: strike.tilt_rad,
         spin: [strike.spin_before_rad_s, strike.spin_rad_s.unwrap_or([f64::NAN; 3])],
         energy: [strike.energy_before, strike.energy_after.unwrap_or(f64::NAN)],
