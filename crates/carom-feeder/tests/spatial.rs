@@ -6,7 +6,7 @@ use carom_feeder::spatial::{self, Exit, Wall, WallForm, examples};
 use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
 };
-use carom_num::elementary::{sin_cos, tan};
+use carom_num::elementary::{atan2, sin_cos, tan};
 use carom_num::{Rotation, Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -276,7 +276,7 @@ fn a_part_starts_on_its_face() {
             feeder.start.face = face;
             feeder.start.turn = turn;
             let start = feeder.start_state();
-            let (sine, cosine) = sin_cos((0.08_f64 / 0.29).atan());
+            let (sine, cosine) = sin_cos(atan2(0.08, 0.29));
             let normal = Vec3::new(sine, cosine, 0.0);
             let down = start.attitude.apply(feeder.part.faces[face].normal);
             assert!((down + normal).norm() < 1e-14, "{face}, {turn}: {down:?}");

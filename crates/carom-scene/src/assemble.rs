@@ -3,14 +3,15 @@
 use crate::approximation::Approximation;
 use crate::crossing::crosses;
 use crate::drawing::{
-    ChannelDrawing, Drawing, Level, PartDrawing, Place, PlateDrawing, StartDrawing, Surface, WallCourse,
-    WallDrawing, Want,
+    ChannelDrawing, Drawing, Level, PartDrawing, Place, PlateDrawing, StartDrawing, WallCourse, WallDrawing,
+    Want,
 };
 use crate::feed::feed_of;
 use crate::layout::{Placed, Yard, zigzag_plates};
 use crate::part::{Built, build_part};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
+use crate::surfaces::{contact_notes, surface_of};
 use crate::unit::Dimension;
 use carom_feeder::{Feed, Feeder, FeederProblem, Form, Part, PartKind, Plate, RunError, Start, Stop, Wall};
 use carom_impact::Law;
@@ -184,29 +185,6 @@ pub(crate) fn laid_out(drawing: &Drawing, part: f64) -> (Option<Vec<Placed>>, Ve
     let yard = Yard { channel: drawing.channel.as_ref(), part };
     let (placed, problems) = yard.place_all(&drawing.plates.iter().map(Some).collect::<Vec<_>>());
     (placed.into_iter().collect(), problems)
-}
-
-/// What is taken for contacts that are known by the names of their materials.
-pub(crate) fn contact_notes(drawing: &Drawing) -> Vec<String> {
-    let Drawing { contact, channel, groove, plates, zigzag, walls, feed, .. } = drawing;
-    let mut found: Vec<String> = contact.named.iter().map(|named| named.told("contact")).collect();
-    let mut tell = |path: String, surface: &Surface| {
-        found.extend(surface.named.map(|named| named.told(&format!("{path}.contact"))));
-    };
-    channel.iter().for_each(|channel| tell("channel".into(), &channel.surface));
-    groove.iter().for_each(|groove| tell("groove".into(), &groove.surface));
-    plates.iter().for_each(|plate| tell(format!("plate.{}", plate.name), &plate.surface));
-    zigzag.iter().for_each(|zigzag| tell("zigzag".into(), &zigzag.surface));
-    walls.iter().for_each(|wall| tell(format!("wall.{}", wall.name), &wall.surface));
-    feed.iter().for_each(|feed| tell("feed".into(), &feed.surface));
-    found
-}
-
-/// Friction and restitution of a surface: its own, else the contact's.
-pub(crate) fn surface_of(drawing: &Drawing, surface: &Surface) -> (f64, f64) {
-    let friction = surface.friction.as_ref().or(drawing.contact.friction.as_ref());
-    let restitution = surface.restitution.as_ref().unwrap_or(&drawing.contact.restitution);
-    (friction.map_or(0.0, |friction| friction.value), restitution.value)
 }
 
 pub(crate) fn plate(drawing: &Drawing, drawn: &PlateDrawing, placed: &Placed) -> Plate {

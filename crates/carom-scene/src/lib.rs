@@ -82,6 +82,7 @@ pub mod schema;
 mod space;
 mod start;
 mod suggest;
+mod surfaces;
 mod sweep_report;
 mod tolerance;
 pub mod unit;

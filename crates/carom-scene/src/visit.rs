@@ -1,7 +1,9 @@
 //! Every quantity of a drawing under its path.
 
 use crate::chain::{ArcDrawing, ChainDrawing};
-use crate::drawing::{Drawing, Level, MassSpec, Outline, PartDrawing, Place, Reach, Surface, WallCourse};
+use crate::drawing::{
+    Drawing, Level, MassSpec, Outline, PartDrawing, Place, PlateDrawing, Reach, Surface, WallCourse,
+};
 use crate::label::{label_beside, labelled};
 use crate::library::LibraryPart;
 use crate::problem::{Problem, ProblemKind};
@@ -38,24 +40,7 @@ impl Drawing {
             visitor(format_args!("groove.width"), &mut groove.width);
             visit_surface(format_args!("groove"), &mut groove.surface, visitor);
         }
-        for plate in &mut self.plates {
-            let name = &plate.name;
-            visit_place(format_args!("plate.{name}"), &mut plate.place, visitor);
-            if let Some(radius) = &mut plate.edge_radius {
-                visitor(format_args!("plate.{name}.edge_radius"), radius);
-            }
-            let wide = [
-                ("width", &mut plate.width),
-                ("roll", &mut plate.roll),
-                ("side_walls", &mut plate.side_walls),
-            ];
-            for (key, quantity) in wide {
-                if let Some(quantity) = quantity {
-                    visitor(format_args!("plate.{name}.{key}"), quantity);
-                }
-            }
-            visit_surface(format_args!("plate.{name}"), &mut plate.surface, visitor);
-        }
+        self.plates.iter_mut().for_each(|plate| visit_plate(plate, visitor));
         if let Some(zigzag) = &mut self.zigzag {
             visitor(format_args!("zigzag.plates"), &mut zigzag.plates);
             visitor(format_args!("zigzag.drop"), &mut zigzag.drop);
@@ -84,6 +69,22 @@ impl Drawing {
             visit_surface(format_args!("feed"), &mut feed.surface, visitor);
         }
     }
+}
+
+fn visit_plate(plate: &mut PlateDrawing, visitor: &mut Visitor<'_>) {
+    let name = &plate.name;
+    visit_place(format_args!("plate.{name}"), &mut plate.place, visitor);
+    if let Some(radius) = &mut plate.edge_radius {
+        visitor(format_args!("plate.{name}.edge_radius"), radius);
+    }
+    let wide =
+        [("width", &mut plate.width), ("roll", &mut plate.roll), ("side_walls", &mut plate.side_walls)];
+    for (key, quantity) in wide {
+        if let Some(quantity) = quantity {
+            visitor(format_args!("plate.{name}.{key}"), quantity);
+        }
+    }
+    visit_surface(format_args!("plate.{name}"), &mut plate.surface, visitor);
 }
 
 fn visit_part(part: &mut PartDrawing, visitor: &mut Visitor<'_>) {

@@ -5,8 +5,8 @@
 use crate::held;
 
 use carom_scene::{
-    AnyImpact, Form, Problem, ProblemKind, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem,
-    toml_of_json,
+    AnyImpact, AnyScene, Form, Problem, ProblemKind, RollKind, RollProblem, SpatialRollKind,
+    SpatialRollProblem, toml_of_json,
 };
 use carom_words::Words;
 use held::Judge;
@@ -52,7 +52,7 @@ fn of_form(form: Form) -> Vec<(String, String)> {
 /// What the whole reader says.
 fn read(form: Form, file: &str, source: &str) -> Vec<Problem> {
     match form {
-        Form::Scene => Scene::parse(file, source).err().map_or(vec![], |found| found.list),
+        Form::Scene => AnyScene::parse(file, source).err().map_or(vec![], |found| found.list),
         Form::Impact => AnyImpact::parse(file, source).err().map_or(vec![], |found| found.list),
         Form::Roll(kind) => {
             let found = RollProblem::parse(kind, file, source, &[]).err();

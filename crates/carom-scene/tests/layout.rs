@@ -6,7 +6,8 @@ use carom_num::{
     elementary::{atan2, cos, tan},
 };
 use carom_scene::{
-    AnyImpact, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem, Want, quantity::Tolerance,
+    AnyImpact, AnyScene, RollKind, RollProblem, Scene, SpatialRollKind, SpatialRollProblem, Want,
+    quantity::Tolerance,
 };
 use carom_words::Words;
 use std::f64::consts::PI;
@@ -76,8 +77,10 @@ fn every_example_can_be_read() {
             AnyImpact::parse("impact", &text).unwrap_or_else(|problems| panic!("{problems}"));
             continue;
         }
-        let scene = Scene::read(&path).unwrap_or_else(|problems| panic!("{problems}"));
-        assert!(scene.feeder().start_state().is_finite(), "{}", scene.name());
+        match AnyScene::read(&path).unwrap_or_else(|problems| panic!("{problems}")) {
+            AnyScene::Plane(scene) => assert!(scene.feeder().start_state().is_finite(), "{}", scene.name()),
+            AnyScene::Space(scene) => assert!(scene.feeder().start_state().is_finite(), "{}", scene.name()),
+        }
     }
 }
 

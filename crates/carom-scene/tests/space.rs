@@ -66,7 +66,7 @@ fn all_problems_of_a_scene_are_told() {
     let found = problems(text);
     let paths: Vec<&str> = found.list.iter().map(|problem| problem.path.as_str()).collect();
     for path in [
-        "part.box.1",
+        "part.box.y",
         "part.corner_radius",
         "part.mass",
         "contact.friction",

@@ -5,7 +5,7 @@
 use carom_feeder::{Effort, Feeder, Plate};
 use carom_motion::planar::Options;
 use carom_num::{Vec2, elementary::tan};
-use carom_scene::Scene;
+use carom_scene::{AnyScene, Scene};
 use carom_study::map;
 use carom_study::regions::{self, Range};
 use carom_study::rocking::Rolling;
@@ -126,7 +126,13 @@ fn runs_and_studies_cost_this_much() {
     let mut paper = None;
     for path in scenes() {
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        let scene = Scene::read(&path).unwrap();
+        let scene = match AnyScene::read(&path).unwrap() {
+            AnyScene::Plane(scene) => *scene,
+            AnyScene::Space(scene) => {
+                row(&mut table, &name, &scene.feeder().run_untraced().unwrap().effort);
+                continue;
+            }
+        };
         match scene.feed() {
             Some(feed) => {
                 let fed = scene.feeder().prepare(options()).unwrap().feed(feed).unwrap();

@@ -2,6 +2,7 @@
 
 use super::feeder::{Feeder, Part, Plate, Start};
 use crate::feeder::Stop;
+use crate::tolerance::BOX_HULL;
 use carom_motion::spatial::Polyhedron;
 use carom_num::{Mat3, Vec2, Vec3};
 
@@ -16,7 +17,7 @@ pub fn block(edges: Vec3, mass: f64) -> Part {
     let square = |a: f64, b: f64| mass * (a * a + b * b) / 12.0;
     let inertia =
         Mat3::diagonal(square(edges.y, edges.z), square(edges.x, edges.z), square(edges.x, edges.y));
-    let hull = Polyhedron::of_points(&corners, 1e-12 * edges.norm())
+    let hull = Polyhedron::of_points(&corners, BOX_HULL * edges.norm())
         .unwrap_or_else(|_| unreachable!("a box has a hull"));
     let mut part =
         Part::about(&hull, Vec3::ZERO, (mass, inertia)).unwrap_or_else(|_| unreachable!("a box is a body"));

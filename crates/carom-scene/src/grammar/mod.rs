@@ -17,6 +17,7 @@ pub(crate) mod roll_space;
 mod rule_check;
 pub(crate) mod scene;
 mod scene_space;
+mod scene_studies;
 pub(crate) mod schema;
 mod section;
 mod value;

@@ -1,11 +1,11 @@
 //! The grammar of a scene: what stands on a feeder's drawing.
 
 use super::kind::{
-    COORDINATE, COUNT, FACE, FRICTION, GRAVITY, LENGTH, LENGTH_OR_NONE, MAX_SPEED, PARTS, RESTITUTION, SCALE,
-    SLOPE, SPEED, TIME,
+    COORDINATE, COUNT, FACE, FRICTION, GRAVITY, LENGTH, LENGTH_OR_NONE, RESTITUTION, SCALE, SLOPE, SPEED,
 };
 use super::part::{CHAIN, PART};
 use super::scene_space::SPACE_ROOT;
+use super::scene_studies::{DESIGN, FEED};
 use super::{File, FileKind, Foreign, Holds, Inherited, Key, Rule, Table, Tables, Way, When, key};
 use crate::contact_table::contact_names;
 use crate::drawing::{Side, Want};
@@ -13,7 +13,6 @@ use crate::problem::ProblemKind;
 use crate::start::StartWord;
 use carom_feeder::Stop;
 use carom_impact::Law;
-use carom_study::design::Aim;
 use carom_words::Words;
 
 /// Standard of the papers [m/s²].
@@ -381,33 +380,3 @@ static WALL: Table = Table {
     foreign: &[],
     inherited: &[],
 };
-
-static FEED: Table = Table {
-    rules: &[OWN_SURFACE],
-    ..Table::plain(
-        "Feed",
-        "Several parts, one after another; friction and restitution are those between two parts.",
-        &[
-            &[
-                key("parts", Holds::Quantity(PARTS), "How many parts there are.").needed(),
-                key("interval", Holds::Quantity(TIME), "Time from one part's start to the next.").needed(),
-            ],
-            SURFACE,
-        ],
-    )
-};
-
-static DESIGN: Table = Table::plain(
-    "Design",
-    "What a design may choose, must keep and aims at.",
-    &[&[
-        key("free", Holds::Ranges, "Paths with their ranges: \"plate.lower.slope\" = \"10..40 deg\"."),
-        key("max_impact_speed", Holds::Quantity(MAX_SPEED), "Highest approach speed of an impact."),
-        key("max_sliding_speed", Holds::Quantity(MAX_SPEED), "Highest speed of sliding."),
-        key("max_height", Holds::Quantity(LENGTH), "Greatest height of the feeder."),
-        key("max_width", Holds::Quantity(LENGTH), "Greatest width of the feeder."),
-        key("max_time", Holds::Quantity(TIME), "Longest time of a drop."),
-        key("forbid_walls", Holds::Flag, "True where the part may touch no wall on its way."),
-        key("aim", Holds::Words(Aim::words), "What the design is to be best at.").or_word("yield"),
-    ]],
-);

@@ -1,15 +1,14 @@
 //! From a drawing to a feeder in space.
 
 use crate::approximation::Approximation;
-use crate::assemble::{
-    contact_notes, engine_problems, laid_out, plate as flat_plate, surface_of, walls as flat_walls,
-};
+use crate::assemble::{engine_problems, laid_out, plate as flat_plate, walls as flat_walls};
 use crate::drawing::{Drawing, MassSpec, Outline, PlateDrawing, Want};
 use crate::part_drawing::SolidDrawing;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::roll::spatial::ThrownShape;
 use crate::start::most_probable;
+use crate::surfaces::{contact_notes, surface_of};
 use crate::tolerance::ONE_FACE;
 use crate::unit::Dimension;
 use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};

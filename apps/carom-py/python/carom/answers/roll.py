@@ -266,7 +266,7 @@ class SpatialContact:
 class SpatialEnd:
     """How it ends."""
 
-    state: Literal["at rest", "balanced", "flat", "overturned", "strikes reached", "no consistent outcome", "several ways on", "budget spent"]
+    state: Literal["at rest", "balanced", "flat", "overturned", "strikes reached", "no consistent outcome", "several ways on", "flies away", "budget spent"]
     """In which way."""
     t_s: float
     """When that is so [s]."""

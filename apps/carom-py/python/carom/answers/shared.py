@@ -22,18 +22,20 @@ class Approximation:
     """One way in which the computed part differs from the drawn one."""
 
     amount: float
-    """How far it differs: the greatest distance from the outline."""
+    """How far it differs: of chords the greatest distance from the outline, of a hull the share of it that the
+    part does not fill.
+    """
     kind: ApproximationKind
     """What stands in for the outline."""
     of: Literal["part"]
     """What is approximated: `part`."""
     text: str
     """The same in a sentence."""
-    unit: Literal["m"]
-    """Unit of the amount: `m`."""
+    unit: Literal["m", "1"]
+    """Unit of the amount: `m` of chords, `1` of a hull."""
 
 
-ApproximationKind = Literal["chords"]
+ApproximationKind = Literal["chords", "convex_hull"]
 """What stands in for a drawn outline."""
 
 

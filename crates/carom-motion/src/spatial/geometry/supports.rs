@@ -36,9 +36,9 @@ impl Supports {
     /// ```
     /// use carom_motion::spatial::Supports;
     /// let all: Supports = (0..Supports::TOGETHER).collect();
-    /// assert_eq!((all.len(), all.is_overfull()), (255, false));
+    /// assert_eq!((all.len(), all.is_overfull()), (95, false));
     /// ```
-    pub const TOGETHER: usize = 255;
+    pub const TOGETHER: usize = 95;
     /// None of them.
     ///
     /// # Example
@@ -91,7 +91,7 @@ impl Supports {
     /// # Example
     /// ```
     /// use carom_motion::spatial::Supports;
-    /// let all: Supports = (0..300).collect();
+    /// let all: Supports = (0..100).collect();
     /// assert!(all.is_overfull() && all.union(Supports::one(7)).is_overfull());
     /// ```
     pub const fn is_overfull(self) -> bool {
@@ -210,7 +210,7 @@ impl Supports {
 }
 
 /// The count of a set in which some had no room.
-const OVERFULL: u16 = 256;
+const OVERFULL: u16 = 96;
 
 impl Default for Supports {
     fn default() -> Self {
