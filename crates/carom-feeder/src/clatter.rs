@@ -154,7 +154,9 @@ fn clatter<S: Copy, F: Clone>(
         .collect();
     let start_piece = trace.pieces.iter().position(|[start, _]| *start >= first.time);
     let from = start_piece.unwrap_or(trace.pieces.len());
-    let next = stages.iter().find(|s| s.start_time >= end_time && s.start_time > first.time);
+    // What follows a series starts at its last strike or at its limit.
+    let next = stages.iter().find(|s| s.start_time >= last.time && s.start_time > first.time);
+    let end_time = next.map_or(end_time, |next| next.start_time.max(last.time));
     let end = match next {
         Some(next) => next.start,
         None => last.after,

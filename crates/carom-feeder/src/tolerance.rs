@@ -25,6 +25,6 @@ pub(crate) const FLAT_FACE: f64 = 1e-6;
 /// Contacts are on one line where no triangle of them has an area above this share of the square of the part's reach.
 pub(crate) const ON_ONE_LINE: f64 = 1e-6;
 /// Sizes of the part that a plate or wall across the drawing is wide where the drawing gives no width.
-pub(crate) const WIDE: f64 = 2000.0;
+pub(crate) const WIDE: f64 = 400.0;
 /// Corners of one face of a box are on its plane to this share of the box's diagonal: rounding.
 pub(crate) const BOX_HULL: f64 = 1e-12;

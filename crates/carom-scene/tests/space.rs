@@ -86,7 +86,7 @@ fn what_is_drawn_is_checked_as_a_whole() {
     let aside = problems(&BAR.replace("[start]", "[start]\naside = \"40 mm\"")).to_string();
     assert!(aside.contains("start.aside") && aside.contains("half the first plate's width"), "{aside}");
     let groove = problems(&format!("groove = {{ width = \"19 mm\" }}\n{BAR}")).to_string();
-    assert!(groove.contains("wall.front wall") && groove.contains("crosses the part"), "{groove}");
+    assert!(groove.contains("groove.width") && groove.contains("crosses the part"), "{groove}");
     let wanted = problems(&BAR.replace("want = \"turned\"", "want = 6")).to_string();
     assert!(wanted.contains("plate.lower.want"), "{wanted}");
 }

@@ -42,6 +42,8 @@ pub trait Landed: Send + Sync {
 pub trait Device: Clone + Send + Sync {
     /// What a drop says.
     type Run: Landed;
+    /// The laws of restitution that it may have: in space Newton's is for one contact, and several strike.
+    const LAWS: &'static [Law];
     /// Drops a part, without a trace.
     ///
     /// # Errors
@@ -100,6 +102,7 @@ impl Landed for spatial::Run {
 
 impl Device for Feeder {
     type Run = Run;
+    const LAWS: &'static [Law] = &[Law::Poisson, Law::Stronge, Law::Newton];
 
     fn drop_part(&self) -> Result<Run, RunError> {
         self.run_untraced()
@@ -119,6 +122,7 @@ impl Device for Feeder {
 
 impl Device for spatial::Feeder {
     type Run = spatial::Run;
+    const LAWS: &'static [Law] = &[Law::Poisson, Law::Stronge];
 
     fn drop_part(&self) -> Result<spatial::Run, RunError> {
         self.run_untraced()

@@ -46,6 +46,8 @@ pub fn headline_in_space(feeder: &spatial::Feeder, run: &spatial::Run) -> Headli
     let plate = on_plate(run.outcome, &run.landings, run.stages.last().map(|stage| stage.obstacle));
     let because = match &run.jam {
         Some(jam) => jammed(feeder, jam),
+        // What holds it, friction or another plate, is not asked.
+        None if run.outcome == Outcome::Stuck => "it has come to rest there".to_owned(),
         None => why(run.outcome).to_owned(),
     };
     let plate = plate.map(|plate| obstacle(feeder, plate));

@@ -13,6 +13,7 @@ use carom_motion::spatial::{
     End, Impact, Mode, Observer, Piece, Run as Motion, Samples, State, Supports, Touch as Feature,
     run as run_motion,
 };
+use carom_num::Vec3;
 use std::ops::ControlFlow;
 
 /// What has been seen of one plate.
@@ -33,6 +34,8 @@ pub(super) struct Watcher<'p, 'f> {
     landings: Vec<Landing>,
     /// The last flight that started where the last plate had been touched.
     left: Option<Exit>,
+    /// It has touched nothing for a while.
+    has_flown: bool,
     /// The state before the next impact.
     now: State,
     struck_at: Vec<f64>,
@@ -52,6 +55,7 @@ impl<'p, 'f> Watcher<'p, 'f> {
             walls: vec![false; prepared.feeder.walls.len()],
             landings: vec![],
             left: None,
+            has_flown: false,
             now: prepared.start,
             struck_at: vec![],
             struck: vec![],
@@ -194,7 +198,8 @@ impl<'p, 'f> Watcher<'p, 'f> {
         }
         for plate in 0..self.plates.len() {
             let known = self.landings.iter().any(|landing| landing.plate == plate);
-            let is_start = plate == 0 && self.plates[0].impact_speed.is_none();
+            // The first plate carries the part from the start: it has to be left before the part can land there.
+            let is_start = plate == 0 && !self.has_flown;
             if known || is_start {
                 continue;
             }
@@ -250,6 +255,19 @@ impl<'p, 'f> Watcher<'p, 'f> {
         feeder.part.faces.iter().position(|face| turned(face) <= FLAT_FACE)
     }
 
+    /// The mass centre of a part that has touched the last plate moves downhill beyond its free edge, between its sides.
+    fn is_over_edge(&self, state: &State) -> bool {
+        let (last, reach) = (self.last(), self.prepared.world.body().reach());
+        let plate = &self.prepared.feeder.plates[last];
+        let Some(axes) = plate.axes().filter(|_| self.plates[last].first_touch.is_some()) else {
+            return false;
+        };
+        let from_edge = state.centre - Vec3::new(plate.edge.x, plate.edge.y, 0.0);
+        let beside = axes.across.dot(from_edge).abs();
+        let between = plate.width.is_none_or(|width| beside <= 0.5 * width + reach);
+        between && axes.downhill.dot(from_edge) > -reach && axes.downhill.dot(state.velocity) > 0.0
+    }
+
     fn has_landed(&self) -> bool {
         let last = self.last();
         self.prepared.feeder.stop == Stop::Landed && self.landings.iter().any(|landing| landing.plate == last)
@@ -267,10 +285,10 @@ impl Observer for Watcher<'_, '_> {
 
     fn starts(&mut self, time: f64, mode: Mode, state: &State) -> ControlFlow<()> {
         self.note(time, mode.held(&self.prepared.world), state);
-        let last = self.last();
+        self.has_flown |= mode == Mode::Flight && time > 0.0;
         if mode != Mode::Flight {
             self.left = None;
-        } else if self.left.is_none() && self.plates[last].first_touch.is_some() {
+        } else if self.left.is_none() && self.is_over_edge(state) {
             self.left = Some(Exit { time, state: *state });
         }
         if self.has_landed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -51,7 +51,11 @@ impl Run {
     /// The landing with which the run ended: the last one, where the part stayed on that plate or was delivered from it.
     pub fn final_landing(&self) -> Option<&Landing> {
         let stays = matches!(self.outcome, Outcome::Landed | Outcome::Delivered | Outcome::Stuck);
-        self.landings.last().filter(|_| stays)
+        let at = match self.outcome {
+            Outcome::Stuck => self.stages.last().and_then(|stage| stage.obstacle),
+            _ => None,
+        };
+        self.landings.last().filter(|landing| stays && at.is_none_or(|plate| landing.plate == plate))
     }
 
     /// The number of the first strike on the plate of the final landing: the one that decides.

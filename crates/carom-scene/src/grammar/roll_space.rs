@@ -58,7 +58,7 @@ const ROUGH: &[Key] = &[
     LAW_IN_SPACE,
 ];
 /// Newton's law says what one closing contact does, and here several strike.
-const LAW_IN_SPACE: Key =
+pub(super) const LAW_IN_SPACE: Key =
     key("law", Holds::Words(laws_in_space), "The law by which restitution ends. It needs a friction. Newton's is not among them: in space it is for one contact.")
         .or_word("poisson");
 

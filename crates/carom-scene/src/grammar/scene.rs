@@ -80,7 +80,7 @@ pub(super) const fn way(shown: When, needs: &'static [&'static str], takes: &'st
     Way { shown, needs, takes }
 }
 
-const MATERIALS: Holds = Holds::Named(contact_names, "contact of two materials");
+pub(super) const MATERIALS: Holds = Holds::Named(contact_names, "contact of two materials");
 
 /// Friction and restitution of a surface, where they are its own.
 pub(super) const SURFACE: &[Key] = &[

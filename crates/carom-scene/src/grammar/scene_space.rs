@@ -1,10 +1,13 @@
 //! The grammar of a scene in space: a solid part, plates with a width, walls beside them.
 
-use super::kind::{COORDINATE, DENSITY, FACE, INERTIA, LENGTH, LENGTH_OR_NONE, MASS, PRODUCT, TURN};
+use super::kind::{
+    COORDINATE, DENSITY, FACE, FRICTION, INERTIA, LENGTH, LENGTH_OR_NONE, MASS, PRODUCT, RESTITUTION, TURN,
+};
 use super::part::length_units;
+use super::roll_space::LAW_IN_SPACE;
 use super::scene::{
-    BY_EDGE, BY_ENDS, BY_LINE, CHANNEL, CONTACT_KEY, FACE_SHARES, FIRST_LEVEL, GRAVITY_KEY, HINGED,
-    LATER_LEVEL, NAME, ORIGIN, OWN_SURFACE, REACH, START_SPEED, STOP, STRAIGHT, SURFACE, THROUGH, TO_EDGE,
+    BY_EDGE, BY_ENDS, BY_LINE, CHANNEL, FACE_SHARES, FIRST_LEVEL, GRAVITY_KEY, HINGED, LATER_LEVEL,
+    MATERIALS, NAME, ORIGIN, OWN_SURFACE, REACH, START_SPEED, STOP, STRAIGHT, SURFACE, THROUGH, TO_EDGE,
     WANT, placed, way,
 };
 use super::{Foreign, Holds, Inherited, Rule, Table, Tables, When, key};
@@ -20,7 +23,11 @@ pub(super) static SPACE_ROOT: Table = Table {
         STOP,
         key("part", Holds::Table(&SOLID), "The part.")
             .needed_as("a table [part] with the part's shape and mass"),
-        CONTACT_KEY,
+        key(
+            "contact",
+            Holds::Either(&CONTACT_CHOICES),
+            "How the part touches every plate and wall that does not say its own: friction and restitution, or the name of two materials.",
+        ),
         key("start", Holds::Table(&SPACE_START), "How the part starts.")
             .needed_as("a table [start] with to_edge, from the mass centre to the free edge"),
         key("channel", Holds::Table(&CHANNEL), "Two vertical walls, between which the plates are."),
@@ -52,6 +59,18 @@ pub(super) static SPACE_ROOT: Table = Table {
         missing: "a plain number, for every plate and wall that has no friction of its own",
     }],
 };
+
+static CONTACT_CHOICES: [Holds; 2] = [MATERIALS, Holds::Table(&CONTACT)];
+
+static CONTACT: Table = Table::plain(
+    "SpaceContact",
+    "Contact of the part with every plate and wall that does not say its own.",
+    &[&[
+        key("friction", Holds::Quantity(FRICTION), "Coulomb's coefficient of friction."),
+        key("restitution", Holds::Quantity(RESTITUTION), "Coefficient of restitution.").or(0.0),
+        LAW_IN_SPACE,
+    ]],
+);
 
 static SOLID: Table = Table {
     name: "SolidPart",

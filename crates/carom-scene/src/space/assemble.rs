@@ -7,12 +7,13 @@ use crate::part_drawing::SolidDrawing;
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::roll::spatial::ThrownShape;
+use crate::scene::quantities;
 use crate::start::most_probable;
 use crate::surfaces::{contact_notes, surface_of};
 use crate::tolerance::ONE_FACE;
 use crate::unit::Dimension;
 use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};
-use carom_motion::spatial::{BodyProblem, Options};
+use carom_motion::spatial::{Body, BodyProblem, Options};
 use carom_num::Vec3;
 
 /// A feeder and what is known about its drawing.
@@ -62,7 +63,8 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
     };
     if problems.is_empty() {
         let found = feeder.prepare(Options::default()).err();
-        problems.extend(found.into_iter().flat_map(|found| engine_problems(found, drawn)));
+        let found = found.into_iter().flat_map(|found| engine_problems(found, drawn));
+        problems.extend(found.map(|problem| placed_in_file(problem, drawing)));
     }
     if !problems.is_empty() {
         return Err(problems);
@@ -99,14 +101,21 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
     let mut part = found.map_err(|problems| {
         let path =
             |found: &BodyProblem| if matches!(found, BodyProblem::Mass(_)) { "part.mass" } else { "part" };
-        problems.iter().map(|found| problem(path(found), found.to_string())).collect::<Vec<_>>()
+        let told = |found: &BodyProblem| match found {
+            BodyProblem::Count { count } => {
+                format!("its hull has {count} corners: at most {} are followed", Body::MOST)
+            }
+            other => other.to_string(),
+        };
+        problems.iter().map(|found| problem(path(found), told(found))).collect::<Vec<_>>()
     })?;
     if solid.shape.word == "box" {
         part.faces.sort_by_key(|face| {
             BOX_FACES.iter().position(|normal| (*normal - face.normal).norm() < ONE_FACE)
         });
     }
-    if let Some(face) = part.faces.iter().find(|face| face.depth <= 0.0) {
+    let least = part.faces.iter().min_by(|a, b| a.depth.total_cmp(&b.depth));
+    if let Some(face) = least.filter(|face| face.depth <= 0.0) {
         let out = Dimension::Length.show(-face.depth);
         return Err(vec![problem(
             "part.centre",
@@ -114,6 +123,21 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
         )]);
     }
     Ok(part)
+}
+
+/// A problem of the whole by the key that it comes from, with the value as it is written.
+fn placed_in_file(problem: Problem, drawing: &Drawing) -> Problem {
+    if problem.path == "wall.front wall" || problem.path == "wall.back wall" {
+        let span = drawing.groove.as_ref().and_then(|groove| groove.width.span.clone());
+        let message = "is too narrow: a wall crosses the part where it starts";
+        return Problem::new(ProblemKind::Geometry, "groove.width", message, span);
+    }
+    let quantities = quantities(drawing);
+    let Some(of) = quantities.iter().find(|quantity| quantity.path == problem.path) else { return problem };
+    let shown = of.kind.dimension.show(of.value);
+    let allowed = problem.message.split_once(": ").map_or(problem.message.as_str(), |(_, allowed)| allowed);
+    let message = format!("{shown} is out of range: {allowed}");
+    Problem::new(ProblemKind::OutOfRange, &problem.path, message, of.span.clone().or(problem.span))
 }
 
 /// A plate of the drawing with its width.

@@ -272,12 +272,12 @@ fn too_few(found: &Yield) -> Option<String> {
 }
 
 /// How a feeder's drop ends under every law, with every restitution.
-fn laws(feeder: &impl Device, plate: usize) -> Vec<(Law, f64, Ending)> {
+fn laws<D: Device>(feeder: &D, plate: usize) -> Vec<(Law, f64, Ending)> {
     let mut found = vec![];
-    for law in [Law::Poisson, Law::Stronge, Law::Newton] {
+    for law in D::LAWS {
         for restitution in RESTITUTIONS {
-            let feeder = feeder.with_law(law, restitution);
-            found.push((law, restitution, Dropped::through(Some(&feeder), plate).ending));
+            let feeder = feeder.with_law(*law, restitution);
+            found.push((*law, restitution, Dropped::through(Some(&feeder), plate).ending));
         }
     }
     found

@@ -61,7 +61,7 @@ struct Crossed {
     straight: Vec3,
     side: f64,
     sine: f64,
-    /// From the start of the obstacle's edge to that of the body's.
+    /// From the middle of the obstacle's edge, which may be long, to the start of the body's.
     between: Vec3,
 }
 
@@ -70,7 +70,7 @@ impl Crossed {
         let along = pose.attitude.apply(own.along);
         let straight = along.cross(other.along);
         let side = if straight.dot(pose.attitude.apply(own.outward)) > 0.0 { -1.0 } else { 1.0 };
-        let between = pose.centre + pose.attitude.apply(own.from) - other.from;
+        let between = pose.centre + pose.attitude.apply(own.from) - other.middle();
         Self { along, straight, side, sine: straight.norm(), between }
     }
 
@@ -86,7 +86,8 @@ impl Crossed {
     /// How far along the two edges they are nearest to each other.
     fn places(&self, other: &Edge) -> [f64; 2] {
         let square = self.sine * self.sine;
-        [other.along, self.along].map(|edge| -self.between.cross(edge).dot(self.straight) / square)
+        let place = |edge: Vec3| -self.between.cross(edge).dot(self.straight) / square;
+        [place(other.along), place(self.along) + 0.5 * other.length]
     }
 }
 
@@ -121,7 +122,7 @@ impl Pair {
                 }
                 let normal = crossed.across() / crossed.sine;
                 let [along, _] = crossed.places(other);
-                let place = other.from + crossed.between + crossed.along * along;
+                let place = other.middle() + crossed.between + crossed.along * along;
                 Meeting { place, normal, gap: normal.dot(crossed.between) }
             }
         }
@@ -273,7 +274,9 @@ impl Pair {
                 } else {
                     let run = between.cross(along);
                     let rate = moves.cross(along) + between.cross(turns);
-                    (run.dot(straight), rate.dot(straight) + run.dot(bent), other.length)
+                    let half = 0.5 * other.length;
+                    let (run, rate) = (run.dot(straight), rate.dot(straight) + run.dot(bent));
+                    (run - half * square, rate - half * widens, other.length)
                 };
                 let (run, rate) = if limit.is_multiple_of(2) {
                     (run, rate)

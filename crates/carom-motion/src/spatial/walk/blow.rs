@@ -12,7 +12,7 @@ use crate::spatial::modes::grip::MOST_BEARING;
 use crate::spatial::modes::mode::Mode;
 use crate::spatial::record::run::{Clock, End};
 use crate::spatial::terms::Choice;
-use crate::tolerance::{PRESSING_APPROACHES, SUPPORT_STAYS, SUPPORT_STICKS};
+use crate::tolerance::{FAINT_STRIKE, PRESSING_APPROACHES, SUPPORT_STAYS, SUPPORT_STICKS};
 use carom_impact::ImpactError;
 use carom_impact::spatial::{Conclusion, staged};
 use carom_num::Vec3;
@@ -98,6 +98,11 @@ impl Walker<'_> {
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
         for (k, _) in touching.iter().enumerate().filter(|(_, i)| held.contains(*i)) {
             set.velocity[k].z = -press * size;
+        }
+        // A bounce from here is lower than what heights are told from zero by: it would be struck down again before it has risen.
+        let fastest = set.velocity.iter().take(touching.len()).map(|u| -u.z).fold(0.0, f64::max);
+        if fastest <= FAINT_STRIKE * self.scales.speed {
+            set.restitution = [0.0; N];
         }
         let out = match staged::resolve_preferring(&set, law, self.options.choice.preference()) {
             Ok(out) => out,

@@ -205,7 +205,11 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
             self.arrive(&end, self.elapsed + rest);
             return Some(Stop::Event(Event::Stops));
         }
-        if self.walker.mode == Mode::Flight && self.walker.world.is_past(&self.walker.state) {
+        // Walls beside it may still touch it, and carry nothing.
+        let (world, held) = (self.walker.world, self.walker.mode.held(self.walker.world));
+        let falls =
+            !matches!(self.walker.mode, Mode::Rest { .. }) && held.iter().all(|i| world.limits(i) == 0);
+        if falls && world.is_past(&self.walker.state) {
             self.work = self.motion.work(y);
             return Some(Stop::Away);
         }

@@ -14,7 +14,8 @@ use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End, Impact};
 use crate::tolerance::{
-    AT_REST_AT_START, BESIDE, COMES_DOWN_AT_ONCE, FLAT, GRAZING_SPEED, SUPPORT_TOUCHES, TOUCHES_AT_START,
+    AT_REST_AT_START, BESIDE, COMES_DOWN_AT_ONCE, FAINT_STRIKE, FLAT, GRAZING_SPEED, SUPPORT_TOUCHES,
+    TOUCHES_AT_START,
 };
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
@@ -137,7 +138,17 @@ impl Walker<'_> {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let comes_down = |i: &usize| self.rise_of(*i) < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
-        if striking.is_empty() { self.graze(free, size) } else { self.strike(touching, striking) }
+        if !striking.is_empty() {
+            return self.strike(touching, striking);
+        }
+        // What rises touches in passing: another edge at the corner over which the body leaves, say.
+        let faint = FAINT_STRIKE * self.scales.speed;
+        let grazing = free.those(|i| self.rise_of(i) <= faint);
+        if grazing.is_empty() {
+            self.departing = free;
+            return Ok(None);
+        }
+        self.graze(grazing, size)
     }
 
     /// A circle among these supports lies flat on its plane.
@@ -181,8 +192,13 @@ impl Walker<'_> {
         if !striking.is_empty() {
             return self.strike(touching, striking);
         }
-        let stays = |i: &usize| held.contains(*i) || self.rise_of(*i) <= GRAZING_SPEED * size;
-        self.hold(touching.iter().filter(stays).collect(), None)
+        let faint = FAINT_STRIKE * self.scales.speed;
+        let stays = |i: &usize| held.contains(*i) || self.rise_of(*i) <= faint;
+        let end = self.hold(touching.iter().filter(stays).collect(), None)?;
+        if !self.mode.held(self.world).contains(support) {
+            self.departing = self.departing.with(support);
+        }
+        Ok(end)
     }
 
     /// Those that the motion draws down.
