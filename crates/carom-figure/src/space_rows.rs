@@ -1,7 +1,7 @@
 //! The rows of the stage table of a run in space, for any output.
 
-use carom_feeder::Stage;
 use carom_feeder::spatial::{Feeder, Run};
+use carom_feeder::{Stage, StageName};
 use carom_motion::spatial::{Impact, State, Touch};
 use carom_num::Vec3;
 use carom_num::elementary::atan2;
@@ -35,7 +35,11 @@ pub fn space_rows(run: &Run) -> Vec<SpaceRow<'_>> {
             rows.push(SpaceRow::Strike(next, impact));
             next += 1;
         }
-        while run.impacts.get(next).is_some_and(|impact| impact.time < stage.end_time) {
+        // The last strike of a stage of many may end it.
+        let within = |impact: &Impact| {
+            impact.time < stage.end_time || stage.name == StageName::Clatter && impact.time == stage.end_time
+        };
+        while run.impacts.get(next).is_some_and(within) {
             next += 1;
         }
         rows.push(SpaceRow::Stage(i, stage));

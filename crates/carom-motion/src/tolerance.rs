@@ -205,8 +205,9 @@ pub(crate) const AT_REST_AT_START: f64 = 1e-12;
 pub(crate) const COMES_DOWN_AT_ONCE: f64 = 1e-11;
 /// Supports that come down slower than this fraction of the motion's speeds graze the plane.
 pub(crate) const GRAZING_SPEED: f64 = 1e-13;
-/// Supports that strike slower than this, in units of the world's speed, do not rebound: their hops would be lower than 1e-16 of the body.
-pub(crate) const FAINT_STRIKE: f64 = 1e-8;
+/// Supports that strike slower than this, in units of the world's speed, do not rebound: their hops would be lower than 1e-14 of the body, and gaps
+/// of edges are measured to 1e-15 of it.
+pub(crate) const FAINT_STRIKE: f64 = 1e-7;
 /// After an impact a support that rises slower than this fraction of the speeds before stays on the plane.
 pub(crate) const SUPPORT_STAYS: f64 = 1e-11;
 /// After an impact a slip below this fraction of the speeds before is rest.

@@ -61,7 +61,7 @@ impl Form {
     /// assert_eq!(Form::Scene.comment("plate.wall").as_deref(), Some("left | right"));
     /// ```
     pub fn comment(self, path: &str) -> Option<String> {
-        self.file().variants.iter().find_map(|(_, table)| comment_of(table, path))
+        self.file().variants.iter().rev().find_map(|(_, table)| comment_of(table, path))
     }
 
     /// What is wrong with the TOML text of a file by itself: its syntax, its form, its single values. A reader tells the same, and
