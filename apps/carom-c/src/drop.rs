@@ -9,7 +9,7 @@ use std::ffi::c_int;
 /// Drops the part of a scene.
 pub(crate) fn drop(name: &str, text: &str) -> Result<DropResult, Refusal> {
     let scene = scene(name, text)?;
-    let run = scene.feeder().run_untraced().map_err(|error| no_run(&scene, error))?;
+    let run = scene.feeder().run_untraced().map_err(|error| no_run(scene.name(), error))?;
     Ok(result(&run))
 }
 

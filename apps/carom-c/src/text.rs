@@ -4,7 +4,7 @@ use crate::refusal::Refusal;
 use carom::tasks;
 use carom::tasks::impact::ImpactStudy;
 use carom::tasks::impact::space::SpatialImpactStudy;
-use carom_scene::{AnyImpact, Problems, Scene, toml_of_json};
+use carom_scene::{AnyImpact, AnyScene, Problems, Scene, SpaceRunReport, toml_of_json};
 use std::borrow::Cow;
 
 /// An answer as JSON, and why it is not the whole answer, where that is so.
@@ -26,8 +26,8 @@ pub(crate) fn scene(name: &str, text: &str) -> Result<Scene, Refusal> {
 }
 
 /// Why a scene has no run, as the command says it.
-pub(crate) fn no_run(scene: &Scene, why: impl std::fmt::Display) -> Refusal {
-    Refusal::of_failure(format!("{}: {why}", scene.name()))
+pub(crate) fn no_run(scene: &str, why: impl std::fmt::Display) -> Refusal {
+    Refusal::of_failure(format!("{scene}: {why}"))
 }
 
 /// What `carom impact` prints.
@@ -50,9 +50,17 @@ pub(crate) fn impact(name: &str, text: &str) -> Result<Answer, Refusal> {
 
 /// What `carom run` prints.
 pub(crate) fn run(name: &str, text: &str) -> Result<Answer, Refusal> {
-    let scene = scene(name, text)?;
-    let run = scene.feeder().run().map_err(|error| no_run(&scene, error))?;
-    let fed = tasks::feed(&scene).map_err(|error| no_run(&scene, format!("the feed: {error}")))?;
-    let report = tasks::run_report(&scene, &run, fed.as_ref(), None);
-    Ok(Answer { json: serde_json::to_string_pretty(&report)? + "\n", undone: None })
+    let json = match AnyScene::parse(name, &toml(name, text)?)? {
+        AnyScene::Plane(scene) => {
+            let run = scene.feeder().run().map_err(|error| no_run(scene.name(), error))?;
+            let fed = tasks::feed(&scene);
+            let fed = fed.map_err(|error| no_run(scene.name(), format!("the feed: {error}")))?;
+            serde_json::to_string_pretty(&tasks::run_report(&scene, &run, fed.as_ref(), None))?
+        }
+        AnyScene::Space(scene) => {
+            let run = scene.feeder().run().map_err(|error| no_run(scene.name(), error))?;
+            serde_json::to_string_pretty(&SpaceRunReport::new(&scene, &run))?
+        }
+    };
+    Ok(Answer { json: json + "\n", undone: None })
 }

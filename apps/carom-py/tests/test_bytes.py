@@ -13,7 +13,10 @@ import numpy as np
 import pytest
 from carom import Answer
 
-EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
+ALL = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
+# Solid parts are followed by the command alone.
+SOLIDS = [path for path in ALL if path.stem.startswith("solid")]
+EXAMPLES = [path for path in ALL if path not in SOLIDS]
 
 
 def verb(path: Path) -> list[str]:
@@ -51,6 +54,12 @@ def test_every_example(path: Path, command: Path, tmp_path: Path) -> None:
         # Where the files of the command stand is told on some pages.
         if name.endswith((".csv", ".svg")):
             assert next(tmp_path.rglob(name)).read_bytes() == text.encode(), name
+
+
+@pytest.mark.parametrize("path", SOLIDS, ids=lambda path: path.stem)
+def test_a_solid_part_is_refused_by_name(path: Path) -> None:
+    with pytest.raises(carom.CaromError, match="is a solid"):
+        carom.run(path)
 
 
 def as_plain(value: Any) -> Any:

@@ -178,6 +178,8 @@ pub(crate) const PARALLEL_EDGES: f64 = 1e-9;
 pub(crate) const BEYOND_END: f64 = 1e-12;
 /// A plane without ends carries nothing whose normal points upwards by no more than this, as a sine.
 pub(crate) const CARRIES: f64 = 1e-12;
+/// What is nearer to touching than this, in units of the reach, is looked at closely: heights of a hop are counted, not measured.
+pub(crate) const CLEAR_OF_ROUNDING: f64 = 1e-9;
 /// An obstacle farther from the mass centre than this, in units of the reach, is far: what the body has besides points is not measured against it.
 pub(crate) const FAR: f64 = 1.1;
 /// Contacts no farther apart than this, in units of the reach, whose normals differ by no more, are one.

@@ -10,7 +10,7 @@ use crate::visit::canonical;
 
 /// Reads `[design]`. `known` are the quantities of the scene; `None` where the scene has problems that leave them unknown.
 pub(crate) fn read_design(root: &Section<'_>, known: Option<&[(String, Kind)]>) -> Option<Design> {
-    let section = root.section("design")?;
+    let section = root.section_if_known("design")?;
     let ranges = section.get("free").map(|node| &node.value);
     let free = match (ranges, known) {
         (Some(Value::Table(entries)), Some(known)) => flat("", entries)

@@ -24,8 +24,8 @@ pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
         Some(PlateDrawing {
             name,
             place: read_place(&section, i == 0)?,
-            edge_radius: section.quantity("edge_radius"),
-            width: section.quantity("width"),
+            edge_radius: section.quantity_if_known("edge_radius"),
+            width: section.quantity_if_known("width"),
             roll: section.quantity_if_known("roll"),
             side_walls: section.quantity_if_known("side_walls"),
             surface: read_surface(&section),
@@ -100,7 +100,7 @@ fn read_place(section: &Section<'_>, first: bool) -> Option<Place> {
     if section.has("from") || section.has("to") {
         return Some(Place::Ends { from: section.vector("from")?, to: section.vector("to")? });
     }
-    if section.has("chain") {
+    if section.has("chain") && section.knows("chain") {
         return Some(Place::Chain { chain: read_bent(section)? });
     }
     let slope = section.quantity("slope")?;
@@ -154,7 +154,7 @@ fn read_hinged(section: &Section<'_>, first: bool) -> Option<Place> {
 
 /// Reads `[zigzag]`.
 pub(crate) fn read_zigzag(root: &Section<'_>) -> Option<ZigzagDrawing> {
-    let section = root.section("zigzag")?;
+    let section = root.section_if_known("zigzag")?;
     Some(ZigzagDrawing {
         plates: section.quantity("plates")?,
         drop: section.quantity("drop")?,
@@ -177,12 +177,12 @@ pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
         let name = names.read(&section, i);
         Some(WallDrawing {
             name,
-            course: if section.has("chain") {
+            course: if section.has("chain") && section.knows("chain") {
                 WallCourse::Chain { chain: read_bent(&section)? }
             } else {
                 WallCourse::Ends { from: section.vector("from")?, to: section.vector("to")? }
             },
-            edge_radius: section.quantity("edge_radius"),
+            edge_radius: section.quantity_if_known("edge_radius"),
             surface: read_surface(&section),
             span: section.span(),
         })
@@ -195,7 +195,7 @@ const LONGEST_INTERVAL: f64 = 3600.0;
 
 /// Reads `[feed]`.
 pub(crate) fn read_feed(root: &Section<'_>) -> Option<FeedDrawing> {
-    let section = root.section("feed")?;
+    let section = root.section_if_known("feed")?;
     let interval = section.quantity("interval");
     if let Some(interval) = interval.as_ref().filter(|interval| interval.value > LONGEST_INTERVAL) {
         let message = format!("{} s must be at most {LONGEST_INTERVAL} s", interval.value);
@@ -212,6 +212,6 @@ pub(crate) fn read_feed(root: &Section<'_>) -> Option<FeedDrawing> {
 
 /// Reads `[channel]` or `[groove]`.
 pub(crate) fn read_channel(root: &Section<'_>, key: &str) -> Option<ChannelDrawing> {
-    let section = root.section(key)?;
+    let section = root.section_if_known(key)?;
     Some(ChannelDrawing { width: section.quantity("width")?, surface: read_surface(&section) })
 }

@@ -27,10 +27,10 @@ use serde_json::{Value, json};
 /// Of a scene.
 ///
 /// # Example
-/// A scene has a part and plates.
+/// A scene has a part and plates, in the plane as in space.
 /// ```
 /// let schema = carom_scene::schema::scene().to_value();
-/// let keys = schema["properties"].as_object().unwrap();
+/// let keys = schema["$defs"]["SpaceScene"]["properties"].as_object().unwrap();
 /// assert!(keys.contains_key("part") && keys.contains_key("plate"));
 /// ```
 pub fn scene() -> Schema {

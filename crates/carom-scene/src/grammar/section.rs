@@ -85,6 +85,11 @@ impl<'t> Section<'t> {
         self.table.key(key).is_some()
     }
 
+    /// As [`Section::section`], of a key that only some tables of its kind have.
+    pub(crate) fn section_if_known(&self, key: &str) -> Option<Section<'t>> {
+        self.knows(key).then(|| self.section(key)).flatten()
+    }
+
     /// As [`Section::quantity_or_default`], of a key that only some tables of its kind have.
     pub(crate) fn quantity_if_known(&self, key: &str) -> Option<Quantity> {
         self.knows(key).then(|| self.quantity_or_default(key)).flatten()

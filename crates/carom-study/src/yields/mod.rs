@@ -84,7 +84,8 @@ pub struct Plan {
 /// ```
 /// use carom_study::yields::{Plan, Points, YieldError, sample};
 /// let plan = Plan { dimensions: 0, samples: 4, seed: 1, points: Points::Sobol, plates: 1, plate: 0 };
-/// assert_eq!(sample(&plan, |_| None, |_| true, |_| 0.0), Err(YieldError::Dimensions { found: 0 }));
+/// let nothing = |_: &[f64]| None::<carom_feeder::Feeder>;
+/// assert_eq!(sample(&plan, nothing, |_| true, |_| 0.0), Err(YieldError::Dimensions { found: 0 }));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]

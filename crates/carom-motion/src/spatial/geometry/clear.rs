@@ -3,6 +3,7 @@
 use super::pair::Pair;
 use super::posture::{Most, Moving};
 use super::world::{Support, World};
+use crate::tolerance::CLEAR_OF_ROUNDING;
 use carom_num::{Mat3, Vec3};
 
 /// How a body stands and moves at an instant, and what its motion does not exceed for some time.
@@ -43,19 +44,21 @@ impl Outlook {
 impl World {
     /// True where a support is certain not to touch in the time that is looked ahead; false says nothing. `spare` is how far behind a face what is beside its obstacle may be \[m\].
     pub(in crate::spatial) fn is_clear(&self, support: usize, ahead: &Outlook, spare: f64) -> bool {
+        // Small heights are counted on from a touch, and differ from what is measured here.
+        let spare = spare + CLEAR_OF_ROUNDING * self.body().reach();
         match self.pair(support) {
             None => self.point_is_clear(support, ahead, spare),
             Some(Pair::Corner { face, corner, .. }) => {
                 // The corner as the body sees it: the face's own point there moves with the body.
                 let seen = ahead.seen(*corner);
                 let (_, far) = ahead.moves(seen);
-                face.plane.height(seen).abs() > far + spare || seen.norm() > self.body().reach() + far
+                face.plane.height(seen).abs() > far + spare || seen.norm() > self.body().reach() + far + spare
             }
             Some(Pair::Cross { own, other }) => {
                 let (middle, far) = ahead.moves(own.middle());
                 let along = other.along.dot(middle - other.from).clamp(0.0, other.length);
                 let distance = (other.from + other.along * along - middle).norm();
-                distance > 0.5 * own.length + far
+                distance > 0.5 * own.length + far + spare
             }
         }
     }
@@ -69,6 +72,6 @@ impl World {
         let height = plane.height(place);
         let limits = &self.limits[self.plane_of(support)];
         let behind = !limits.is_empty() && height < -(far + spare);
-        height > far || behind || limits.iter().any(|limit| limit.margin(place) < -(far + spare))
+        height > far + spare || behind || limits.iter().any(|limit| limit.margin(place) < -(far + spare))
     }
 }

@@ -141,9 +141,10 @@ impl Walker<'_> {
         if !striking.is_empty() {
             return self.strike(touching, striking);
         }
-        // What rises touches in passing: another edge at the corner over which the body leaves, say.
+        // What rises touches in passing: another edge at the corner over which the body leaves, say. Where nothing slides all supports are of one plane.
         let faint = FAINT_STRIKE * self.scales.speed;
-        let grazing = free.those(|i| self.rise_of(i) <= faint);
+        let slides = self.world.friction().is_some();
+        let grazing = free.those(|i| !slides || self.rise_of(i) <= faint);
         if grazing.is_empty() {
             self.departing = free;
             return Ok(None);

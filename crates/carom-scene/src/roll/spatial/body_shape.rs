@@ -85,7 +85,7 @@ pub(crate) fn read(root: &Section<'_>, beside: Beside<'_>) -> Option<ThrownShape
             flat: FLAT_AS_WRITTEN,
         },
     };
-    let radius = root.value("corner_radius");
+    let radius = root.quantity_if_known("corner_radius").map(|radius| radius.value);
     let shape = shaped(root, drawn, flatness)?;
     match radius {
         Some(radius) => rounded(root, shape, radius),
