@@ -10,9 +10,18 @@ use carom_feeder::Stage;
 use carom_feeder::spatial::{Feeder, Run};
 use carom_figure::{SpaceRow, milliseconds, space_contacts, space_energy_change, space_rows, space_tilt};
 use carom_motion::spatial::{Impact, State, Touch};
-use carom_scene::{AnyScene, SpaceRunReport, SpaceScene};
+use carom_scene::{AnyScene, RunReport, SpaceRunReport, SpaceScene};
 use carom_words::{Words, part, run as run_words};
+use serde::Serialize;
 use std::io::Write;
+
+/// The result of a run, in the plane or in space: the keys in their own order.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Told {
+    Plane(Box<RunReport>),
+    Space(Box<SpaceRunReport>),
+}
 
 /// Runs scenes of which some are in space, each by itself.
 pub(crate) fn run(
@@ -32,13 +41,13 @@ pub(crate) fn run(
         let (report, text, path) = match scene {
             AnyScene::Plane(scene) => {
                 let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
-                let report = serde_json::to_value(tasks::run_report(&scene, &run, fed.as_ref(), None))?;
+                let report = Told::Plane(Box::new(tasks::run_report(&scene, &run, fed.as_ref(), None)));
                 let text = format!("{}{}", table::text(&scene, &run), notes(scene.notes()));
                 (report, text, crate::run::write_report(&scene, &run, fed.as_ref(), None, &folder)?)
             }
             AnyScene::Space(scene) => {
                 let run = followed(&scene)?;
-                let report = serde_json::to_value(SpaceRunReport::new(&scene, &run))?;
+                let report = Told::Space(Box::new(SpaceRunReport::new(&scene, &run)));
                 let mut path = folder.clone();
                 for (name, text) in space_tasks::run_files(&scene, &run)? {
                     path = files::write(&folder, name, &text)?;
