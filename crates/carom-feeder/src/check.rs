@@ -10,29 +10,37 @@ const NEAR_ENOUGH: &str = "at most 4000 part sizes (largest distance from the ma
 
 /// The plate, wall or part that a problem is about. Its path is written only where there is a problem: sweeps check millions of feeders.
 #[derive(Clone, Copy)]
-struct Of<'f> {
-    kind: &'static str,
-    name: &'f str,
+pub(crate) struct Of<'f> {
+    pub(crate) kind: &'static str,
+    pub(crate) name: &'f str,
 }
 
 impl Of<'_> {
-    fn key(self, key: &str) -> impl fmt::Display {
-        fmt::from_fn(move |f| write!(f, "{}.{}.{key}", self.kind, self.name))
+    pub(crate) fn key(self, key: &str) -> impl fmt::Display {
+        fmt::from_fn(move |f| write!(f, "{self}.{key}"))
     }
 }
 
-struct Findings {
-    problems: Vec<FeederProblem>,
+impl fmt::Display for Of<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.kind, self.name)
+    }
+}
+
+/// What was found, in the plane or in space.
+#[derive(Default)]
+pub(crate) struct Findings {
+    pub(crate) problems: Vec<FeederProblem>,
 }
 
 impl Findings {
-    fn demand(&mut self, fine: bool, path: impl fmt::Display, value: f64, allowed: &'static str) {
+    pub(crate) fn demand(&mut self, fine: bool, path: impl fmt::Display, value: f64, allowed: &'static str) {
         if !fine {
             self.problems.push(FeederProblem::OutOfRange { path: path.to_string(), value, allowed });
         }
     }
 
-    fn segment(&mut self, of: Of<'_>, from: Vec2, to: Vec2, size: f64) {
+    pub(crate) fn segment(&mut self, of: Of<'_>, from: Vec2, to: Vec2, size: f64) {
         for (value, end) in [(from.x, "from.x"), (from.y, "from.y"), (to.x, "to.x"), (to.y, "to.y")] {
             self.demand(value.is_finite(), of.key(end), value, "a finite number");
             let far = value.is_finite() && value.abs() > FARTHEST * size;
@@ -40,7 +48,7 @@ impl Findings {
         }
         let length = (to - from).norm();
         if length.is_finite() && length <= NO_LENGTH * size {
-            self.problems.push(FeederProblem::NoLength { path: format!("{}.{}", of.kind, of.name) });
+            self.problems.push(FeederProblem::NoLength { path: of.to_string() });
         }
     }
 
@@ -57,17 +65,36 @@ impl Findings {
         }
     }
 
-    fn surface(&mut self, of: Of<'_>, friction: f64, restitution: f64) {
+    pub(crate) fn surface(&mut self, of: Of<'_>, friction: f64, restitution: f64) {
         let fine = friction.is_finite() && friction >= 0.0;
         self.demand(fine, of.key("friction"), friction, "0 or more");
         let fine = (0.0..=1.0).contains(&restitution);
         self.demand(fine, of.key("restitution"), restitution, "0 to 1");
     }
+
+    /// On which face the part starts.
+    pub(crate) fn face(&mut self, fine: bool, face: usize) {
+        #[expect(clippy::cast_precision_loss, reason = "a face number is small")]
+        let number = face as f64;
+        self.demand(fine, "start.face", number, "one of the part's faces, counted from 0");
+    }
+
+    /// Whether the part starts over the first plate.
+    pub(crate) fn over_plate(&mut self, fine: bool, to_edge: f64) {
+        let allowed = "0 to the first plate's length: the mass centre must be over the plate";
+        self.demand(fine, "start.to_edge", to_edge, allowed);
+    }
+
+    /// Whether the first plate is vertical where the part starts.
+    pub(crate) fn upright(&mut self, vertical: bool) {
+        let allowed = "a first plate that is not vertical where the part starts";
+        self.demand(!vertical, "plate.0.slope", 90.0, allowed);
+    }
 }
 
 /// Every problem of a feeder.
 pub(crate) fn check(feeder: &Feeder) -> Result<(), Vec<FeederProblem>> {
-    let mut found = Findings { problems: vec![] };
+    let mut found = Findings::default();
     let body = &feeder.part.body;
     let size = body.shape.size();
     let positive = |v: f64| v.is_finite() && v > 0.0;
@@ -101,10 +128,9 @@ pub(crate) fn check(feeder: &Feeder) -> Result<(), Vec<FeederProblem>> {
 fn check_start(feeder: &Feeder, found: &mut Findings) {
     let start = &feeder.start;
     found.demand(start.speed.is_finite(), "start.speed", start.speed, "a finite number");
-    #[expect(clippy::cast_precision_loss, reason = "a face number is small")]
-    let (face, faces) = (start.face as f64, feeder.part.body.shape.rests().len());
+    let faces = feeder.part.body.shape.rests().len();
     let fine = start.face < faces || (feeder.part.kind == PartKind::Disc && start.face == 0);
-    found.demand(fine, "start.face", face, "one of the part's faces, counted from 0");
+    found.face(fine, start.face);
     let Some(first) = feeder.plates.first() else {
         found.problems.push(FeederProblem::NoPlates);
         return;
@@ -112,20 +138,10 @@ fn check_start(feeder: &Feeder, found: &mut Findings) {
     let course = first.course();
     let length = course_length(&course);
     let on_plate = start.to_edge >= 0.0 && (start.to_edge <= length || !length.is_finite());
-    found.demand(
-        on_plate,
-        "start.to_edge",
-        start.to_edge,
-        "0 to the first plate's length: the mass centre must be over the plate",
-    );
+    found.over_plate(on_plate, start.to_edge);
     let Some(place) = before_end(&course, start.to_edge).filter(|_| on_plate) else { return };
     let vertical = place.direction.x.abs() <= VERTICAL;
-    found.demand(
-        !vertical,
-        "plate.0.slope",
-        90.0,
-        "a first plate that is not vertical where the part starts",
-    );
+    found.upright(vertical);
     let lies = place.straight || feeder.part.kind == PartKind::Disc;
     found.demand(
         lies,

@@ -5,23 +5,13 @@ use crate::ending::{decided, jam, nearest_in_flight};
 use crate::feeder::{PartKind, Stop};
 use crate::part_view::PartView;
 use crate::run::{Effort, Exit, JamKind, Landing, Outcome, Run, Verdict};
+use crate::seen::{Seen, with_speeds};
 use crate::tolerance::SAME_LENGTH;
 use carom_motion::MotionError;
 use carom_motion::planar::observer::{ContactSample, HeldContact, ImpactFacts, PieceFacts};
 use carom_motion::planar::trace::{Impact, Trace};
 use carom_motion::planar::{Happening, Observer, Outlook, State, Walker};
 use carom_num::Vec2;
-
-/// What has been seen of one plate.
-#[derive(Clone, Copy, Debug, Default)]
-struct Seen {
-    first_touch: Option<f64>,
-    /// Impacts on it.
-    impacts: u64,
-    impact_speed: Option<f64>,
-    max_impact_speed: f64,
-    sliding_speed: f64,
-}
 
 /// Passes everything on and notes what a verdict needs.
 pub(crate) struct Watcher<'o> {
@@ -67,10 +57,8 @@ impl Observer for Watcher<'_> {
 
     fn impact(&mut self, facts: &ImpactFacts, whole: Option<Impact>) {
         if let Some(seen) = self.plates.get_mut(facts.obstacle) {
-            seen.first_touch.get_or_insert(facts.time);
-            seen.impacts += 1;
-            seen.impact_speed.get_or_insert(facts.speed);
-            seen.max_impact_speed = seen.max_impact_speed.max(facts.speed);
+            seen.touched(facts.time);
+            seen.struck(facts.speed);
         }
         self.inner.impact(facts, whole);
     }
@@ -90,7 +78,7 @@ impl Observer for Watcher<'_> {
 
     fn slips(&mut self, obstacle: usize, speed: f64) {
         if let Some(seen) = self.plates.get_mut(obstacle) {
-            seen.sliding_speed = seen.sliding_speed.max(speed);
+            seen.slid(speed);
         }
         if self.inner.wants_slips() {
             self.inner.slips(obstacle, speed);
@@ -199,7 +187,6 @@ impl<'p, 'f> Course<'p, 'f> {
     }
 
     fn landing(&self, plate: usize, face: Option<usize>, time: f64, watcher: &Watcher<'_>) -> Landing {
-        let seen = &watcher.plates[plate];
         let before = self.landings.iter().rev().find(|l| l.plate != plate);
         let face_before = before.map_or(Some(self.prepared.feeder.start.face), |l| l.face);
         Landing {
@@ -207,11 +194,11 @@ impl<'p, 'f> Course<'p, 'f> {
             verdict: face.map(|f| self.verdict(f)),
             turned_here: face.map(|f| Some(f) != face_before),
             face,
-            first_touch: seen.first_touch.unwrap_or(time),
+            first_touch: watcher.plates[plate].first_touch.unwrap_or(time),
             flat: face.map(|_| time),
-            impact_speed: seen.impact_speed.unwrap_or(0.0),
-            max_impact_speed: seen.max_impact_speed,
-            max_sliding_speed: seen.sliding_speed,
+            impact_speed: 0.0,
+            max_impact_speed: 0.0,
+            max_sliding_speed: 0.0,
         }
     }
 
@@ -333,21 +320,13 @@ impl<'p, 'f> Course<'p, 'f> {
 
     /// The run of a part that has come to its outcome; without a trace.
     pub(crate) fn finish(&self, outcome: Outcome, part: &impl PartView, watcher: &Watcher<'_>) -> Run {
-        let mut landings = self.landings.clone();
-        // The part may strike and slide faster on a plate after it has landed: its largest speeds are known only now.
-        for landing in &mut landings {
-            let seen = &watcher.plates[landing.plate];
-            landing.impact_speed = seen.impact_speed.unwrap_or(0.0);
-            landing.max_impact_speed = seen.max_impact_speed;
-            landing.max_sliding_speed = seen.sliding_speed;
-        }
         let effort = part.effort();
         let margin = part.margin();
         let exit = self.left.map(|(exit, _)| exit);
         Run {
             outcome,
             end_time: part.time(),
-            landings,
+            landings: with_speeds(self.landings.clone(), &watcher.plates),
             walls_touched: (0..watcher.walls.len()).filter(|wall| watcher.walls[*wall]).collect(),
             exit: exit.filter(|_| outcome == Outcome::Delivered),
             margin: margin.value,
@@ -373,7 +352,7 @@ fn note_touches(part: &impl PartView, watcher: &mut Watcher<'_>) {
     let time = part.time();
     part.each_held(&mut |h| {
         if let Some(seen) = watcher.plates.get_mut(h.obstacle) {
-            seen.first_touch.get_or_insert(time);
+            seen.touched(time);
         }
         watcher.touch_wall(h.obstacle);
     });

@@ -40,6 +40,7 @@ mod first_contact;
 mod form;
 mod part_view;
 mod run;
+mod seen;
 pub mod spatial;
 mod stages;
 mod tolerance;

@@ -30,27 +30,40 @@ fn happened(trace: &Trace) -> Happened<State> {
 }
 
 fn by_name(feeder: &Feeder, obstacles: &[Obstacle], trace: &Trace) -> Vec<Stage> {
-    let mut out: Vec<Stage> = vec![];
-    for (i, piece) in trace.pieces.iter().enumerate() {
+    let stage = |(i, piece): (usize, &Piece)| {
         let (name, obstacle) = name_of(feeder, obstacles, piece);
-        let struck = trace.impacts.iter().any(|impact| impact.time == piece.start_time);
+        Stage {
+            name,
+            obstacle,
+            start_time: piece.start_time,
+            end_time: piece.end_time,
+            start: piece.start,
+            end: piece.end,
+            ended_by: end_of(name, piece),
+            pieces: i..i + 1,
+        }
+    };
+    let struck = |time: f64| trace.impacts.iter().any(|impact| impact.time == time);
+    join(trace.pieces.iter().enumerate().map(stage), struck)
+}
+
+/// Neighbours with one name on one obstacle are one stage, unless a strike at the time between them parts them.
+pub(crate) fn join<S, F>(
+    stages: impl Iterator<Item = Stage<S, F>>,
+    struck: impl Fn(f64) -> bool,
+) -> Vec<Stage<S, F>> {
+    let mut out: Vec<Stage<S, F>> = vec![];
+    for stage in stages {
         match out.last_mut() {
-            Some(last) if last.name == name && last.obstacle == obstacle && !struck => {
-                last.end_time = piece.end_time;
-                last.end = piece.end;
-                last.ended_by = end_of(name, piece);
-                last.pieces.end = i + 1;
+            Some(last)
+                if last.name == stage.name
+                    && last.obstacle == stage.obstacle
+                    && !struck(stage.start_time) =>
+            {
+                (last.end_time, last.end, last.ended_by) = (stage.end_time, stage.end, stage.ended_by);
+                last.pieces.end = stage.pieces.end;
             }
-            _ => out.push(Stage {
-                name,
-                obstacle,
-                start_time: piece.start_time,
-                end_time: piece.end_time,
-                start: piece.start,
-                end: piece.end,
-                ended_by: end_of(name, piece),
-                pieces: i..i + 1,
-            }),
+            _ => out.push(stage),
         }
     }
     out

@@ -6,6 +6,7 @@ use super::stages::stages;
 use crate::drop::RunError;
 use crate::feeder::Stop;
 use crate::run::{Effort, Jam, JamKind, Landing, Outcome, Touch, Verdict};
+use crate::seen::{Seen, with_speeds};
 use crate::tolerance::FLAT_FACE;
 use carom_impact::spatial::Conclusion;
 use carom_motion::MotionError;
@@ -15,15 +16,6 @@ use carom_motion::spatial::{
 };
 use carom_num::Vec3;
 use std::ops::ControlFlow;
-
-/// What has been seen of one plate.
-#[derive(Clone, Copy, Debug, Default)]
-struct Seen {
-    first_touch: Option<f64>,
-    impact_speed: Option<f64>,
-    max_impact_speed: f64,
-    sliding_speed: f64,
-}
 
 /// Looks on, notes what a verdict needs, and ends the run where it is known.
 pub(super) struct Watcher<'p, 'f> {
@@ -47,7 +39,7 @@ pub(super) struct Watcher<'p, 'f> {
 impl<'p, 'f> Watcher<'p, 'f> {
     pub(super) fn new(prepared: &'p Prepared<'f>, traced: bool) -> Self {
         let mut plates = vec![Seen::default(); prepared.feeder.plates.len()];
-        plates[0].first_touch = Some(0.0);
+        plates[0].touched(0.0);
         Self {
             prepared,
             traced,
@@ -91,19 +83,13 @@ impl<'p, 'f> Watcher<'p, 'f> {
         self.finish(Outcome::Unresolved, until)
     }
 
-    fn finish(mut self, outcome: Outcome, motion: Motion) -> Run {
-        for landing in &mut self.landings {
-            let seen = &self.plates[landing.plate];
-            landing.impact_speed = seen.impact_speed.unwrap_or(0.0);
-            landing.max_impact_speed = seen.max_impact_speed;
-            landing.max_sliding_speed = seen.sliding_speed;
-        }
+    fn finish(self, outcome: Outcome, motion: Motion) -> Run {
         let jam = (outcome == Outcome::Jammed).then(|| self.jam());
         let mut run = Run {
             outcome,
             end_time: motion.time,
             end: motion.state,
-            landings: self.landings,
+            landings: with_speeds(self.landings, &self.plates),
             walls_touched: (0..self.walls.len()).filter(|wall| self.walls[*wall]).collect(),
             exit: self.left.filter(|_| outcome == Outcome::Delivered),
             jam,
@@ -190,8 +176,8 @@ impl<'p, 'f> Watcher<'p, 'f> {
             let plates = self.plates.len();
             match self.plates.get_mut(owner) {
                 Some(seen) => {
-                    seen.first_touch.get_or_insert(time);
-                    seen.sliding_speed = seen.sliding_speed.max(slip);
+                    seen.touched(time);
+                    seen.slid(slip);
                 }
                 None => self.walls[owner - plates] = true,
             }
@@ -314,10 +300,9 @@ impl Observer for Watcher<'_, '_> {
             let (owner, plates) = (self.owner(support), self.plates.len());
             match self.plates.get_mut(owner) {
                 Some(seen) => {
-                    seen.first_touch.get_or_insert(impact.time);
+                    seen.touched(impact.time);
                     if impact.striking.contains(support) {
-                        seen.impact_speed.get_or_insert(speed);
-                        seen.max_impact_speed = seen.max_impact_speed.max(speed);
+                        seen.struck(speed);
                     }
                 }
                 None => self.walls[owner - plates] = true,

@@ -3,12 +3,13 @@
 use super::course::Watcher;
 use super::feeder::{Feeder, Plate, Start, Wall, WallForm};
 use super::run::Run;
+use crate::check::{Findings, Of};
 use crate::drop::RunError;
 use crate::feeder::FeederProblem;
 use crate::tolerance::{CROSSES_START, FARTHEST, NO_LENGTH, ON_ONE_LINE, OPPOSITE, VERTICAL, WIDE};
 use carom_motion::spatial::{Friction, Obstacle, Options, Plane, State, Supports, Touch, World};
 use carom_num::elementary::atan2;
-use carom_num::{Rotation, Vec2, Vec3};
+use carom_num::{Rotation, Vec3};
 use std::f64::consts::PI;
 
 /// A feeder that was checked and turned into a world, ready for any number of runs.
@@ -182,101 +183,56 @@ impl Feeder {
 
     /// All that is wrong with the numbers.
     fn problems(&self) -> Vec<FeederProblem> {
-        let mut found = Found(vec![]);
+        let mut found = Findings::default();
         let size = self.part.body.reach();
         found.demand(self.gravity.is_finite() && self.gravity > 0.0, "gravity", self.gravity, "above 0 m/s²");
-        for (owner, plate) in self.plates.iter().enumerate() {
-            let path = self.path(owner);
-            found.line(&path, plate.uphill, plate.edge, size);
-            found.surface(&path, plate.friction, plate.restitution);
+        for plate in &self.plates {
+            let of = Of { kind: "plate", name: &plate.name };
+            found.segment(of, plate.uphill, plate.edge, size);
+            found.surface(of, plate.friction, plate.restitution);
             let width = plate.width.unwrap_or(size);
             let wide = width > NO_LENGTH * size && width <= FARTHEST * size;
-            found.demand(wide, &format!("{path}.width"), width, "above 0, and at most 4000 part sizes");
-            let upright = plate.roll.abs() < 0.5 * PI;
-            found.demand(upright, &format!("{path}.roll"), plate.roll, "between -90° and 90°");
+            found.demand(wide, of.key("width"), width, "above 0, and at most 4000 part sizes");
+            found.demand(plate.roll.abs() < 0.5 * PI, of.key("roll"), plate.roll, "between -90° and 90°");
             let high = (0.0..=FARTHEST * size).contains(&plate.side_walls);
-            found.demand(high, &format!("{path}.side_walls"), plate.side_walls, "0 to 4000 part sizes");
+            found.demand(high, of.key("side_walls"), plate.side_walls, "0 to 4000 part sizes");
         }
-        for (i, wall) in self.walls.iter().enumerate() {
-            let path = self.path(self.plates.len() + i);
+        for wall in &self.walls {
+            let of = Of { kind: "wall", name: &wall.name };
             match wall.form {
-                WallForm::Across { from, to } => found.line(&path, from, to, size),
-                WallForm::Beside { z } => found.demand(z.is_finite() && z != 0.0, &path, z, "a number but 0"),
+                WallForm::Across { from, to } => found.segment(of, from, to, size),
+                WallForm::Beside { z } => {
+                    found.demand(z.is_finite() && z != 0.0, of, z, "a number but 0");
+                }
             }
-            found.surface(&path, wall.friction, wall.restitution);
+            found.surface(of, wall.friction, wall.restitution);
         }
         self.start_problems(&mut found);
-        found.0
+        found.problems
     }
 
-    fn start_problems(&self, found: &mut Found) {
+    fn start_problems(&self, found: &mut Findings) {
         let Start { to_edge, aside, turn, speed, face } = self.start;
         for (path, value) in [("start.speed", speed), ("start.turn", turn), ("start.aside", aside)] {
             found.demand(value.is_finite(), path, value, "a finite number");
         }
-        #[expect(clippy::cast_precision_loss, reason = "a face number is small")]
-        let number = face as f64;
-        let has = face < self.part.faces.len();
-        found.demand(has, "start.face", number, "one of the part's faces, counted from 0");
+        found.face(face < self.part.faces.len(), face);
         let Some(first) = self.plates.first() else {
-            found.0.push(FeederProblem::NoPlates);
+            found.problems.push(FeederProblem::NoPlates);
             return;
         };
         let run = first.edge - first.uphill;
-        let on = (0.0..=run.norm()).contains(&to_edge);
-        found.demand(
-            on,
-            "start.to_edge",
-            to_edge,
-            "0 to the first plate's length: the mass centre must be over the plate",
-        );
+        found.over_plate((0.0..=run.norm()).contains(&to_edge), to_edge);
         let half = first.width.map_or(f64::INFINITY, |width| 0.5 * width);
-        found.demand(
-            aside.abs() <= half,
-            "start.aside",
-            aside,
-            "at most half the first plate's width to either side",
-        );
-        let vertical = run.norm() > 0.0 && run.x.abs() <= VERTICAL * run.norm();
-        found.demand(
-            !vertical,
-            "plate.0.slope",
-            90.0,
-            "a first plate that is not vertical where the part starts",
-        );
+        let allowed = "at most half the first plate's width to either side";
+        found.demand(aside.abs() <= half, "start.aside", aside, allowed);
+        found.upright(run.norm() > 0.0 && run.x.abs() <= VERTICAL * run.norm());
     }
 }
 
 /// Budgets of a run: what chatters longer than this never comes to lie flat.
 pub(crate) fn options() -> Options {
     Options { most_time: 60.0, most_steps: 50_000, most_impacts: 5_000, ..Options::default() }
-}
-
-struct Found(Vec<FeederProblem>);
-
-impl Found {
-    fn demand(&mut self, fine: bool, path: &str, value: f64, allowed: &'static str) {
-        if !fine {
-            self.0.push(FeederProblem::OutOfRange { path: path.to_owned(), value, allowed });
-        }
-    }
-
-    fn line(&mut self, path: &str, from: Vec2, to: Vec2, size: f64) {
-        for (value, key) in [(from.x, "from.x"), (from.y, "from.y"), (to.x, "to.x"), (to.y, "to.y")] {
-            let near = value.is_finite() && value.abs() <= FARTHEST * size;
-            self.demand(near, &format!("{path}.{key}"), value, "at most 4000 part sizes from the origin");
-        }
-        if (to - from).norm() <= NO_LENGTH * size {
-            self.0.push(FeederProblem::NoLength { path: path.to_owned() });
-        }
-    }
-
-    fn surface(&mut self, path: &str, friction: f64, restitution: f64) {
-        let rough = friction.is_finite() && friction >= 0.0;
-        self.demand(rough, &format!("{path}.friction"), friction, "0 or more");
-        let fine = (0.0..=1.0).contains(&restitution);
-        self.demand(fine, &format!("{path}.restitution"), restitution, "0 to 1");
-    }
 }
 
 /// The least turn that lays the face with this normal down, level; about z where it is half a turn.

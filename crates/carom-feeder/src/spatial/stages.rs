@@ -4,6 +4,7 @@ use super::drop::Prepared;
 use super::run::Run;
 use crate::clatter::{Happened, Strike, fold, moment};
 use crate::run::{Stage, StageEnd, StageName, Touch as On};
+use crate::stages::join;
 use carom_motion::spatial::{Mode, Piece, PieceEnd, State, Supports, Touch};
 
 /// The stages of a run: what takes no time is none, and many strikes in a row are one.
@@ -42,31 +43,23 @@ fn series(run: &Run) -> Vec<(f64, f64)> {
 }
 
 fn by_name(prepared: &Prepared<'_>, run: &Run) -> Vec<Stage<State, Touch>> {
-    let mut out: Vec<Stage<State, Touch>> = vec![];
     // What takes no time is none: what is before it goes on after it.
     let lasting = |(_, piece): &(usize, &Piece)| piece.end_time > piece.start_time;
-    for (i, piece) in run.samples.pieces.iter().enumerate().filter(lasting) {
+    let stage = |(i, piece): (usize, &Piece)| {
         let (name, obstacle) = name_of(prepared, piece);
-        let struck = run.impacts.iter().any(|impact| impact.time == piece.start_time);
-        let ended_by = end_of(prepared, piece);
-        match out.last_mut() {
-            Some(last) if last.name == name && last.obstacle == obstacle && !struck => {
-                (last.end_time, last.end, last.ended_by) = (piece.end_time, piece.end, ended_by);
-                last.pieces.end = i + 1;
-            }
-            _ => out.push(Stage {
-                name,
-                obstacle,
-                start_time: piece.start_time,
-                end_time: piece.end_time,
-                start: piece.start,
-                end: piece.end,
-                ended_by,
-                pieces: i..i + 1,
-            }),
+        Stage {
+            name,
+            obstacle,
+            start_time: piece.start_time,
+            end_time: piece.end_time,
+            start: piece.start,
+            end: piece.end,
+            ended_by: end_of(prepared, piece),
+            pieces: i..i + 1,
         }
-    }
-    out
+    };
+    let struck = |time: f64| run.impacts.iter().any(|impact| impact.time == time);
+    join(run.samples.pieces.iter().enumerate().filter(lasting).map(stage), struck)
 }
 
 fn name_of(prepared: &Prepared<'_>, piece: &Piece) -> (StageName, Option<usize>) {
