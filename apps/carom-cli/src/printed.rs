@@ -1,5 +1,6 @@
 //! What goes to stdout: all of it after the files are written, and nothing in it that a terminal obeys.
 
+use serde::Serialize;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::io::{Result, Write};
@@ -32,6 +33,24 @@ pub(crate) fn with_files(mut text: String, files: &[PathBuf]) -> String {
     text
 }
 
+/// Results as JSON: one scene is an object, several are a list of them.
+pub(crate) fn results<R: Serialize>(reports: &[R]) -> serde_json::Result<String> {
+    match reports {
+        [one] => serde_json::to_string_pretty(one),
+        several => serde_json::to_string_pretty(several),
+    }
+}
+
+/// A folder for each of these scenes: scenes of one name from several folders must not write over each other.
+pub(crate) fn folders<'n>(names: impl Iterator<Item = &'n str>) -> Vec<String> {
+    let names: Vec<&str> = names.collect();
+    let folder = |(i, name): (usize, &&str)| match names[..i].iter().filter(|other| *other == name).count() {
+        0 => (*name).to_owned(),
+        before => format!("{name}-{}", before + 1),
+    };
+    names.iter().enumerate().map(folder).collect()
+}
+
 /// An output for people, on which every text is [`visible`].
 pub(crate) struct Visible<W>(pub(crate) W);
 
@@ -58,6 +77,11 @@ pub(crate) fn tell(line: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn scenes_of_one_name_have_folders_of_their_own() {
+        assert_eq!(folders(["a", "b", "a", "a"].into_iter()), ["a", "b", "a-2", "a-3"]);
+    }
 
     #[test]
     fn a_terminal_is_told_nothing_by_a_name() {

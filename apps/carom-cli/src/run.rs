@@ -3,7 +3,7 @@
 use crate::args::{Format, Output, RunOptions, is_stdin};
 use crate::failure::Failure;
 use crate::lines::answer_lines;
-use crate::printed::{notes, tell};
+use crate::printed::{folders, notes, results, tell};
 use crate::side_by_side::{self, Done};
 use crate::space;
 use crate::{feed, files, limits, paper, pipeline, table};
@@ -47,11 +47,8 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
         let path = files::write(&output.folder(""), "table-1.md", &paper::markdown(&done))?;
         tell(&format!("table {}", path.display()));
     }
-    for (i, (((scene, run), fed), limits)) in done.iter().zip(&fed).zip(&limits).enumerate() {
-        // Scenes of one name from several folders must not write over each other.
-        let before = done[..i].iter().filter(|(other, _)| other.name() == scene.name()).count();
-        let name =
-            if before == 0 { scene.name().to_owned() } else { format!("{}-{}", scene.name(), before + 1) };
+    let names = folders(done.iter().map(|(scene, _)| scene.name()));
+    for ((((scene, run), fed), limits), name) in done.iter().zip(&fed).zip(&limits).zip(names) {
         let path = write_report(scene, run, fed.as_ref(), limits.as_ref(), &output.folder(&name))?;
         match output.format {
             Format::Text if fed.is_some() => {
@@ -152,12 +149,7 @@ fn print_json(
         .zip(limits)
         .map(|(((scene, run), fed), limits)| tasks::run_report(scene, run, fed.as_ref(), limits.as_ref()))
         .collect();
-    // One scene is an object, several are a list of them.
-    let text = match reports.as_slice() {
-        [one] => serde_json::to_string_pretty(one)?,
-        several => serde_json::to_string_pretty(several)?,
-    };
-    writeln!(out, "{text}")?;
+    writeln!(out, "{}", results(&reports)?)?;
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
-use crate::printed::{notes, tell};
+use crate::printed::{folders, notes, results, tell};
 use crate::table::{fixed, from_to, met, shouted, signed, stages};
 use crate::{files, pipeline, table};
 use carom::tasks::{self, space as space_tasks};
@@ -36,8 +36,9 @@ pub(crate) fn run(
         return Err(Failure::Usage(message.to_owned()));
     }
     let mut reports = vec![];
-    for scene in scenes {
-        let folder = output.folder(scene.name());
+    let names = folders(scenes.iter().map(AnyScene::name));
+    for (scene, name) in scenes.into_iter().zip(names) {
+        let folder = output.folder(&name);
         let (report, text, path) = match scene {
             AnyScene::Plane(scene) => {
                 let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
@@ -65,12 +66,7 @@ pub(crate) fn run(
         }
     }
     if output.format == Format::Json {
-        // One scene is an object, several are a list of them.
-        let text = match reports.as_slice() {
-            [one] => serde_json::to_string_pretty(one)?,
-            several => serde_json::to_string_pretty(several)?,
-        };
-        writeln!(out, "{text}")?;
+        writeln!(out, "{}", results(&reports)?)?;
     }
     Ok(())
 }

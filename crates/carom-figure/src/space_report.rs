@@ -8,6 +8,7 @@ use crate::solid::SOLID_CSS;
 use crate::space_rows::space_energy_change;
 use crate::space_scene::SpaceScene;
 use crate::text::{capitalised, fixed, significant, trimmed};
+use crate::verdict::standing;
 use crate::{FIGURE_CSS, solid_scene, space_tables, tilt_chart};
 use carom_feeder::Landing;
 use carom_feeder::spatial::{Feeder, Plate, Run, Wall, WallForm};
@@ -97,18 +98,7 @@ fn sentence(text: &str) -> String {
 fn verdict(figure: &SpaceFigure<'_>) -> Markup {
     let SpaceFigure { feeder, run, .. } = *figure;
     let headline = run_words::headline_in_space(feeder, run);
-    let missed: Vec<String> = figure
-        .wanted
-        .iter()
-        .filter(|wish| !wish.met)
-        .map(|wish| format!("{} on “{}”", wish.want, wish.plate))
-        .collect();
-    // Colour and sign say whether it came out as wanted; where nothing is wanted there is neither.
-    let (class, sign, says) = match (figure.wanted, missed.as_slice()) {
-        ([], _) => ("open", "", None),
-        (_, []) => ("wanted", "✓ ", Some("As wanted.".to_owned())),
-        (_, missed) => ("unwanted", "✗ ", Some(format!("Not as wanted: {}.", missed.join(", ")))),
-    };
+    let (class, sign, says) = standing(figure.wanted);
     html! {
         section id="verdict" class={ "verdict " (class) } {
             p.headline {

@@ -112,21 +112,24 @@ fn stuck_sentence(feeder: &Feeder, run: &Run) -> String {
     }
 }
 
-/// The section that opens the report.
-///
-/// Colour and sign say whether the part came out as wanted: red and a cross, green and a tick; neither where nothing is wanted.
-pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> Markup {
-    let headline = run::headline(feeder, run);
+/// Whether it came out as wanted: a class for the colour, a sign and a sentence; red and a cross, green and a tick, none of them where nothing is wanted.
+pub(crate) fn standing(wanted: &[Wish]) -> (&'static str, &'static str, Option<String>) {
     let missed: Vec<String> = wanted
         .iter()
         .filter(|wish| !wish.met)
         .map(|wish| format!("{} on “{}”", wish.want, wish.plate))
         .collect();
-    let (class, sign, says) = match (wanted, missed.as_slice()) {
+    match (wanted, missed.as_slice()) {
         ([], _) => ("open", "", None),
         (_, []) => ("wanted", "✓ ", Some("As wanted.".to_owned())),
         (_, missed) => ("unwanted", "✗ ", Some(format!("Not as wanted: {}.", missed.join(", ")))),
-    };
+    }
+}
+
+/// The section that opens the report.
+pub(crate) fn section(feeder: &Feeder, run: &Run, wanted: &[Wish]) -> Markup {
+    let headline = run::headline(feeder, run);
+    let (class, sign, says) = standing(wanted);
     html! {
         section class={ "verdict " (class) } {
             p.headline {
