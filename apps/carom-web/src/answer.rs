@@ -7,12 +7,12 @@ use crate::request::{Ask, Change, Frame, Request, Study};
 use crate::watch::Watch;
 use carom::tasks;
 use carom_scene::input::InMemory;
-use carom_scene::{Form, Scene};
+use carom_scene::{Form, Scene, SpaceScene};
 use std::collections::BTreeMap;
 
 impl Request {
     pub(crate) fn answer(&self, watch: &dyn Watch) -> Result<Reply, Failure> {
-        if Form::of(&self.name, &self.text) != Form::Scene {
+        if Form::of(&self.name, &self.text) != Form::Scene || self.is_in_space() {
             return self.besides(watch);
         }
         match &self.ask {
@@ -68,12 +68,22 @@ impl Request {
         Ok(Reply { elsewhere: true, ..Reply::default() })
     }
 
+    /// Whether the file is a scene whose part is a solid.
+    pub(crate) fn is_in_space(&self) -> bool {
+        SpaceScene::is_one(&self.text)
+    }
+
     pub(crate) fn scene(&self) -> Result<Scene, Failure> {
         self.scene_of(&self.text)
     }
 
     fn scene_of(&self, text: &str) -> Result<Scene, Failure> {
         Ok(Scene::parse_with(&self.name, text, &self.files())?)
+    }
+
+    #[cfg(feature = "whole")]
+    pub(crate) fn space_scene(&self) -> Result<SpaceScene, Failure> {
+        Ok(SpaceScene::parse_with(&self.name, &self.text, &self.files())?)
     }
 
     /// The files beside it. One that may be no text has a letter for each byte.

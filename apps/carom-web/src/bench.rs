@@ -52,7 +52,9 @@ impl<'s> Bench<'s> {
             scene: picture.scene,
             motion,
             grips: self.grips(),
-            words: headline.as_ref().map_or_else(String::new, words),
+            words: headline.as_ref().map_or_else(String::new, |headline| {
+                format!("A part goes through the feeder: {}.", headline.words())
+            }),
         });
         Reply {
             kind: Some("scene"),
@@ -115,16 +117,6 @@ impl<'s> Bench<'s> {
         }
         all
     }
-}
-
-fn words(headline: &Headline) -> String {
-    let on = headline.plate.as_ref().map(|plate| format!(" on {plate}")).unwrap_or_default();
-    let wanted = match headline.wanted {
-        Some(true) => ", as wanted",
-        Some(false) => ", not as wanted",
-        None => "",
-    };
-    format!("A part goes through the feeder: {}{on}{wanted}.", headline.word)
 }
 
 fn shown(scene: &Scene, quantity: &NamedQuantity) -> QuantityShown {

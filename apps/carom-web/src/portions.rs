@@ -10,7 +10,8 @@ use carom::study::regions::{Options, Range};
 use carom::study::yields::{Contrasts, Points, Portion};
 use carom::tasks::map::{MapAxis, MapError, OutcomeMap};
 use carom::tasks::yields::YieldStudy;
-use carom_scene::{Form, Scene};
+use carom_scene::{Drawn, Form, Scene, Varied};
+use carom_words::part::Names;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -23,19 +24,16 @@ pub(crate) fn of(
 ) -> Result<String, Failure> {
     match study {
         Shared::Yield { samples, seed } => {
-            let scene = request.scene()?;
-            let varied = scene.varied()?;
-            let plan = YieldStudy::plan(&varied, *samples, *seed, Points::Sobol, last_plate(&scene));
-            let step = || watch.step();
-            packed(&match round {
-                0 => YieldStudy::portion(&varied, &plan, portion, step).map_err(told)?.to_words(),
-                _ => YieldStudy::contrasts(&varied, &plan, portion, step).map_err(told)?.to_words(),
-            })
+            let asked = (*samples, *seed, round, portion);
+            match request.is_in_space() {
+                true => sampled(&request.space_scene()?.varied()?, asked, watch),
+                false => sampled(&request.scene()?.varied()?, asked, watch),
+            }
         }
         Shared::Map { axes, cells, depth, accuracy } => {
             let options = Options { accuracy: *accuracy, depth: *depth };
             let form = Form::of(&request.name, &request.text);
-            if form == Form::Scene {
+            if form == Form::Scene && !request.is_in_space() {
                 let scene = request.scene()?;
                 let axes = scene_axes(&scene, axes, *cells);
                 let plate = last_plate(&scene);
@@ -49,6 +47,20 @@ pub(crate) fn of(
     }
 }
 
+/// Drops of one portion, or of the round that says what decides: how many in all, of which seed, which round, which portion.
+fn sampled(
+    varied: &Varied<'_, impl Drawn>,
+    (samples, seed, round, portion): (u64, u64, usize, (u32, u32)),
+    watch: &dyn Watch,
+) -> Result<String, Failure> {
+    let plan = YieldStudy::plan(varied, samples, seed, Points::Sobol, last_plate(varied.scene()));
+    let step = || watch.step();
+    packed(&match round {
+        0 => YieldStudy::portion(varied, &plan, portion, step).map_err(told)?.to_words(),
+        _ => YieldStudy::contrasts(varied, &plan, portion, step).map_err(told)?.to_words(),
+    })
+}
+
 /// What all portions say together.
 pub(crate) fn joined(
     request: &Request,
@@ -58,11 +70,14 @@ pub(crate) fn joined(
 ) -> Result<Reply, Failure> {
     let first = known.first().map_or(&[][..], Vec::as_slice);
     match study {
-        Shared::Yield { .. } => yielded(&request.scene()?, first, known.get(1)),
+        Shared::Yield { .. } => match request.is_in_space() {
+            true => yielded(&request.space_scene()?.varied()?, first, known.get(1)),
+            false => yielded(&request.scene()?.varied()?, first, known.get(1)),
+        },
         Shared::Map { axes, cells, depth, accuracy } => {
             let options = Options { accuracy: *accuracy, depth: *depth };
             let form = Form::of(&request.name, &request.text);
-            let html = if form == Form::Scene {
+            let html = if form == Form::Scene && !request.is_in_space() {
                 let scene = request.scene()?;
                 let axes = scene_axes(&scene, axes, *cells);
                 let mut nodes = vec![];
@@ -87,13 +102,16 @@ pub(crate) fn joined(
 }
 
 /// How surely it ends as wanted on its last plate, and drops to look at; or that what decides has to be asked.
-fn yielded(scene: &Scene, counted: &[String], deciding: Option<&Vec<String>>) -> Result<Reply, Failure> {
-    let varied = scene.varied()?;
+fn yielded(
+    varied: &Varied<'_, impl Drawn>,
+    counted: &[String],
+    deciding: Option<&Vec<String>>,
+) -> Result<Reply, Failure> {
     let mut portions = vec![];
     for portion in counted {
         portions.push(Portion::of_words(&unpacked::<Vec<u64>>(portion)?).map_err(told)?);
     }
-    let mut studied = YieldStudy::of(&varied, portions).map_err(told)?;
+    let mut studied = YieldStudy::of(varied, portions).map_err(told)?;
     match deciding {
         None if studied.to_decide().is_some() => return Ok(Reply { again: true, ..Reply::default() }),
         None => {}
@@ -120,8 +138,8 @@ fn scene_axes(scene: &Scene, sides: &[Side; 2], cells: usize) -> [MapAxis; 2] {
     })
 }
 
-fn last_plate(scene: &Scene) -> usize {
-    scene.feeder().plates.len() - 1
+fn last_plate(scene: &impl Drawn) -> usize {
+    Drawn::feeder(scene).plate_count() - 1
 }
 
 fn packed(value: &impl Serialize) -> Result<String, Failure> {

@@ -1,16 +1,20 @@
 //! How an impact or a roll comes out over two values of its file.
 
 use crate::fields::{dimensions, si};
-use crate::reply::Failure;
+use crate::reply::{Failure, Headline};
 use crate::request::Side;
 use crate::watch::Watch;
+use carom::study::Device;
 use carom::study::regions::{Options, Range, RegionsError, explore, find};
 use carom::tasks::impact::space::SpatialImpactStudy;
 use carom::tasks::impact::{ImpactStudy, space, words};
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions};
 use carom_scene::input::InMemory;
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{AnyImpact, Form, RollProblem, RollReport, SpatialRollProblem, SpatialRollReport, editing};
+use carom_scene::{
+    AnyImpact, Form, RollProblem, RollReport, SpaceScene, SpatialRollProblem, SpatialRollReport, editing,
+};
+use carom_words::run;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Mutex;
@@ -54,17 +58,29 @@ pub(crate) fn ending(file: &File<'_>, given: &[Given<'_>]) -> String {
                 ))
             })
         }
-        Form::Scene => None,
+        Form::Scene => drop_in_space(file, given),
     };
     found.unwrap_or_else(|| NONE.to_owned())
 }
 
-fn impact(name: &str, text: &str, given: &[Given<'_>]) -> Option<String> {
-    let mut text = text.to_owned();
-    for (path, value, dimension) in given {
+/// The text with these values written into it.
+fn set(text: &str, given: &[Given<'_>]) -> Option<String> {
+    given.iter().try_fold(text.to_owned(), |text, (path, value, dimension)| {
         let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
-        text = editing::setting(&text, table, key, &si(*value, *dimension))?;
-    }
+        editing::setting(&text, table, key, &si(*value, *dimension))
+    })
+}
+
+/// How a solid part comes out of its feeder.
+fn drop_in_space(file: &File<'_>, given: &[Given<'_>]) -> Option<String> {
+    let scene = SpaceScene::parse_with(file.name, &set(file.text, given)?, file.beside).ok()?;
+    let feeder = scene.feeder();
+    let headline = run::headline_in_space(feeder, &feeder.drop_part().ok()?);
+    Some(Headline { word: headline.word, plate: headline.plate, wanted: None }.words())
+}
+
+fn impact(name: &str, text: &str, given: &[Given<'_>]) -> Option<String> {
+    let text = set(text, given)?;
     let problem = match AnyImpact::parse(name, &text).ok()? {
         AnyImpact::Planar(problem) => *problem,
         AnyImpact::Spatial(problem) => return Some(space::verdict(&SpatialImpactStudy::of(*problem).report)),
@@ -163,6 +179,7 @@ impl<'a> Plane<'a> {
         let names = names.into_inner().unwrap_or_default();
         let title = match self.file.form {
             Form::Impact => "how the impact ends",
+            Form::Scene => "how the drop ends",
             _ => "what the first strike does",
         };
         Ok(live_regions(&RegionDiagram {

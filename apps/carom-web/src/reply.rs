@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// An answer: what was asked for, the rest left out.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Reply {
-    /// What kind of file it is: `scene`, `impact`, `roll`, or `solid` in space.
+    /// What kind of file it is: `scene`, `impact`, `roll`; in space `space`, a scene, or `solid`, a body on a plane.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<&'static str>,
     /// True where the whole engine answers this: the module has the bench alone.
@@ -130,6 +130,19 @@ pub struct Headline {
     pub plate: Option<String>,
     /// Whether it is as wanted; null where nothing is wanted.
     pub wanted: Option<bool>,
+}
+
+impl Headline {
+    /// As a part of a sentence: `turned on lower, as wanted`.
+    pub(crate) fn words(&self) -> String {
+        let on = self.plate.as_ref().map(|plate| format!(" on {plate}")).unwrap_or_default();
+        let wanted = match self.wanted {
+            Some(true) => ", as wanted",
+            Some(false) => ", not as wanted",
+            None => "",
+        };
+        format!("{}{on}{wanted}", self.word)
+    }
 }
 
 /// The sections of a report, as HTML.

@@ -21,10 +21,11 @@ impl Request {
                     Form::SpatialRoll(kind) => {
                         solid::shown(kind, (name, text), change, *frame, &self.files())
                     }
-                    Form::Scene => Err(Failure::of_page("the bench shows a scene")),
+                    // One in the plane is shown by the bench.
+                    Form::Scene => solid::through_feeder(self, change, *frame),
                 }
             }
-            Ask::Study(study) if form == Form::Scene => self.of_scene(study, watch),
+            Ask::Study(study) if form == Form::Scene && !self.is_in_space() => self.of_scene(study, watch),
             Ask::Study(study) => self.of_another(form, study),
             Ask::Portion { study, round, number, of } => {
                 let portion = portions::of(self, study, (*round, (*number, *of)), watch)?;
@@ -44,7 +45,7 @@ impl Request {
         }
     }
 
-    /// What may be asked of an impact or of what rolls.
+    /// What may be asked of an impact, of what rolls, or of a scene in space.
     fn of_another(&self, form: Form, study: &Study) -> Result<Reply, Failure> {
         let (name, text) = (self.name.as_str(), self.text.as_str());
         let files = self.files();
@@ -52,6 +53,7 @@ impl Request {
             (Study::Files, Form::Impact) => lab::files(name, text),
             (Study::Files, Form::Roll(kind)) => rolling::files(kind, name, text),
             (Study::Files, Form::SpatialRoll(kind)) => solid::files(kind, (name, text), &files),
+            (Study::Files, Form::Scene) => solid::files_of_run(&self.space_scene()?),
             (Study::At { values }, _) => {
                 let dimensions = fields::dimensions(form, text, values.keys())?;
                 let given =
@@ -60,7 +62,7 @@ impl Request {
                 let word = regions::ending(&file, &given.collect::<Vec<_>>());
                 Ok(Reply { headline: Some(Headline { word, plate: None, wanted: None }), ..Reply::default() })
             }
-            _ => Err(Failure::of_page("this is asked of scenes alone")),
+            _ => Err(Failure::of_page("this is asked of scenes in the plane alone")),
         }
     }
 }

@@ -30,6 +30,7 @@ fn every_kind_of_file_is_shown() {
         ("roll_prism.toml", "roll"),
         ("roll_stool.toml", "solid"),
         ("roll_body.toml", "solid"),
+        ("solid.toml", "space"),
     ];
     for (name, kind) in kinds {
         let shown = show(name, &example(name), &Value::Null);

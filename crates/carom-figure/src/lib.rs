@@ -112,7 +112,7 @@ pub use live::{
 };
 pub use live_impact::{LiveImpact, LiveWalk, live_impact, live_walk};
 pub use live_roll::{LiveRoll, live_roll, live_roll_view};
-pub use live_solid::{LiveSolid, live_solid};
+pub use live_solid::{LiveSolid, live_solid, live_space};
 #[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use pose_page::{PoseBody, PoseEnd, PoseFigure, pose_report};

@@ -4,7 +4,7 @@ use crate::layout::millimetres;
 use crate::markup::{Markup, fact, html, joined, notes, table};
 use crate::page::{Page, law_and_input};
 use crate::report::{REPORT_CSS, Wish};
-use crate::solid::SOLID_CSS;
+use crate::solid::{SOLID_CSS, SolidFigure};
 use crate::space_rows::space_energy_change;
 use crate::space_scene::SpaceScene;
 use crate::text::{capitalised, fixed, significant, trimmed};
@@ -71,7 +71,7 @@ pub fn space_report(figure: &SpaceFigure<'_>) -> String {
         (solid_scene::section(&shown))
         (caption(figure, &scene))
         (space_tables::stages(figure.feeder, figure.run))
-        (tilt_chart::section_of(&shown, "The angle from level of the face that was down at the start. Red: strikes, by their numbers."))
+        (chart(&shown))
         (space_tables::strikes(figure.feeder, figure.run))
         (space_tables::faces(figure.feeder, figure.run, figure.margins))
         (plates(figure.feeder))
@@ -88,6 +88,14 @@ pub fn space_report(figure: &SpaceFigure<'_>) -> String {
     .html()
 }
 
+/// The tilt against time.
+pub(crate) fn chart(shown: &SolidFigure<'_>) -> Markup {
+    tilt_chart::section_of(
+        shown,
+        "The angle from level of the face that was down at the start. Red: strikes, by their numbers.",
+    )
+}
+
 /// A sentence of a text that may begin with a small letter and have no end.
 fn sentence(text: &str) -> String {
     let end = if text.ends_with(['.', '!', '?']) { "" } else { "." };
@@ -95,7 +103,7 @@ fn sentence(text: &str) -> String {
 }
 
 /// The section that opens the report, with all that limits what it claims.
-fn verdict(figure: &SpaceFigure<'_>) -> Markup {
+pub(crate) fn verdict(figure: &SpaceFigure<'_>) -> Markup {
     let SpaceFigure { feeder, run, .. } = *figure;
     let headline = run_words::headline_in_space(feeder, run);
     let (class, sign, says) = standing(figure.wanted);
@@ -200,7 +208,7 @@ fn landings(feeder: &Feeder, run: &Run) -> Markup {
 }
 
 /// What the picture shows, and what it leaves out.
-fn caption(figure: &SpaceFigure<'_>, scene: &SpaceScene) -> Markup {
+pub(crate) fn caption(figure: &SpaceFigure<'_>, scene: &SpaceScene) -> Markup {
     html! {
         p.note {
             "To scale. Thin outlines: the part where stages begin. Red rings: strikes. Blue: the way of the mass centre. The part alone is shown larger, with the numbers of its faces (bold) and corners."
@@ -214,7 +222,7 @@ fn caption(figure: &SpaceFigure<'_>, scene: &SpaceScene) -> Markup {
 }
 
 /// The plates and walls as they are computed.
-fn plates(feeder: &Feeder) -> Markup {
+pub(crate) fn plates(feeder: &Feeder) -> Markup {
     let degrees = |angle: f64| format!("{}°", trimmed(angle.to_degrees(), 5));
     let surface = |friction: f64, restitution: f64| {
         html! { td { (trimmed(friction, 4)) } td { (trimmed(restitution, 4)) } }
@@ -259,7 +267,7 @@ fn plates(feeder: &Feeder) -> Markup {
 }
 
 /// Sentences on the model and on what went in.
-fn law(figure: &SpaceFigure<'_>) -> Vec<String> {
+pub(crate) fn law(figure: &SpaceFigure<'_>) -> Vec<String> {
     let SpaceFigure { feeder, run, .. } = *figure;
     let (start, body) = (feeder.start, &feeder.part.body);
     let mut said = vec![

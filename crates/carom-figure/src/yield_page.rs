@@ -51,6 +51,8 @@ pub struct YieldWorst {
 pub struct YieldFigure<'a> {
     /// Heading of the page.
     pub title: &'a str,
+    /// How the part moves: `plane motion`.
+    pub motion: &'a str,
     /// What is wanted, in words.
     pub wanted: &'a str,
     /// Whether the scene's design has limits that are kept or not: then the share within them is shown as well.
@@ -97,7 +99,7 @@ pub struct YieldFigure<'a> {
 /// #     worst: vec![], drops: 100,
 /// # };
 /// # let figure = YieldFigure {
-/// #     title: "a feeder", wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
+/// #     title: "a feeder", motion: "plane motion", wanted: "turned", limited: false, plate: "lower", plates: &[], found: &found,
 /// #     deciders: Err("not asked"), laws: &[], drawn: Ending::Stays, law: Law::Poisson, quantities: &[],
 /// #     worst: &[], notes: &[], live: false, source: "", made_by: "",
 /// # };
@@ -166,7 +168,8 @@ fn verdict(figure: &YieldFigure<'_>) -> Markup {
                 }
             }
             p.note {
-                "Computed for a rigid part in plane motion with Coulomb friction, one part at a time, with the tolerances that the scene writes: "
+                "Computed for a rigid part in " (figure.motion)
+                " with Coulomb friction, one part at a time, with the tolerances that the scene writes: "
                 a href="#inputs" { "what varies, and how it was sampled" } "."
             }
             dl.facts { (facts(figure)) }

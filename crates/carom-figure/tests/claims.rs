@@ -693,6 +693,7 @@ fn page_of_a_yield(quantities: &[YieldQuantity], worst: &[YieldWorst]) -> String
         drops: 100,
     };
     yield_report(&YieldFigure {
+        motion: "plane motion",
         title: "a feeder",
         wanted: "turned",
         limited: false,

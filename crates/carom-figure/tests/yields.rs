@@ -36,6 +36,7 @@ fn page(found: &Yield, deciders: Result<&[(String, Sensitivity)], &str>) -> Stri
         values: vec!["0.1771".into()],
     };
     yield_report(&YieldFigure {
+        motion: "plane motion",
         title: "case <2>",
         wanted: "turned on \"lower\"",
         limited: true,

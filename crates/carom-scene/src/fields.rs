@@ -1,7 +1,9 @@
 //! What a file says and may say, value by value, by its grammar: for forms.
 
 use crate::form::Form;
-use crate::grammar::{Fallback, Holds, Key, Table, kinds_of_roll, read_quantity, shows_an_impact, variant};
+use crate::grammar::{
+    Fallback, Holds, Key, Table, is_of_type, kinds_of_roll, read_quantity, shows_an_impact, variant,
+};
 use crate::node::{Entry, Node, Value, from_toml};
 use crate::quantity::Kind;
 use crate::roll::RollKind;
@@ -97,7 +99,8 @@ impl Fields<'_> {
     fn table(&mut self, table: &'static Table, path: &str, group: &str, entries: &[Entry]) {
         for key in table.all_keys() {
             let own = entries.iter().find(|entry| entry.key == key.name).map(|entry| &entry.node);
-            match (&key.holds, own.map(|node| &node.value)) {
+            let holds = held(key, own);
+            match (holds, own.map(|node| &node.value)) {
                 (Holds::Table(inner), Some(Value::Table(entries))) => {
                     self.table(inner, &joined(path, key.name), key.name, entries);
                 }
@@ -106,7 +109,7 @@ impl Fields<'_> {
                 }
                 (Holds::Tables(inner), Some(Value::List(list))) => self.list(inner.of, path, key.name, list),
                 (Holds::Table(_) | Holds::Variant(_) | Holds::Tables(_), _) => {}
-                _ => self.leaf(key, path, group, own),
+                _ => self.leaf((key, holds), path, group, own),
             }
         }
     }
@@ -131,8 +134,14 @@ impl Fields<'_> {
     }
 
     /// A value; of one that is not written, what counts in its place.
-    fn leaf(&mut self, key: &'static Key, path: &str, group: &str, own: Option<&Node>) {
-        let (kind, choices) = match &key.holds {
+    fn leaf(
+        &mut self,
+        (key, holds): (&'static Key, &'static Holds),
+        path: &str,
+        group: &str,
+        own: Option<&Node>,
+    ) {
+        let (kind, choices) = match holds {
             Holds::Quantity(kind) | Holds::Number(kind) | Holds::Vector(kind, _) => (Some(*kind), vec![]),
             Holds::Words(words) => (None, words()),
             _ => (None, vec![]),
@@ -150,7 +159,7 @@ impl Fields<'_> {
             _ => written.unwrap_or_default().to_owned(),
         });
         let text = as_read.or(fallback).unwrap_or_default();
-        let single = matches!(key.holds, Holds::Quantity(_) | Holds::Number(_));
+        let single = matches!(holds, Holds::Quantity(_) | Holds::Number(_));
         let value = kind.filter(|_| single).and_then(|kind| match (own, key.fallback) {
             (Some(node), _) => read_quantity(key.name, node, kind, None).ok().map(|read| read.value),
             (None, Some(Fallback::Number(number))) => Some(number),
@@ -168,6 +177,16 @@ impl Fields<'_> {
             choices,
         });
     }
+}
+
+/// What a key holds as it is written: of several that it may hold the one that is there, or that a form can ask for.
+fn held(key: &'static Key, own: Option<&Node>) -> &'static Holds {
+    let Holds::Either(choices) = &key.holds else { return &key.holds };
+    let found = choices.iter().find(|choice| match own {
+        Some(node) => is_of_type(choice, &node.value),
+        None => matches!(choice, Holds::Quantity(_) | Holds::Number(_)),
+    });
+    found.unwrap_or(&key.holds)
 }
 
 fn joined(path: &str, key: &str) -> String {
@@ -211,5 +230,10 @@ mod tests {
         assert_eq!(of("turn").value, Some(30_f64.to_radians()), "in SI");
         assert_eq!((of("gravity").text.as_str(), of("gravity").written), ("9.81 m/s^2", false), "a default");
         assert_eq!((of("time").text.as_str(), of("time").value), ("", None), "nothing counts in its place");
+        let scene = "part = { box = [1, 1, 1], mass = 1 }\ncontact = { friction = \"0.3 ± 0.1\" }\nstart = { to_edge = 1 }";
+        let fields = Form::Scene.fields(scene);
+        let of = |path: &str| fields.iter().find(|field| field.path() == path).map(|field| field.value);
+        assert_eq!(of("contact.friction"), Some(Some(0.3)), "a table where a word might stand too");
+        assert_eq!(of("start.face"), Some(Some(0.0)), "a number where a list might stand too");
     }
 }

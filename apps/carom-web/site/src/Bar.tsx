@@ -15,19 +15,23 @@ import { broken, canRedo, canUndo, doc, filesOf, open, redo, settled, undo, whol
 
 const FILM: [string, () => Promise<void>] = ["Film of the motion, WebM", film];
 const REPORT: [string, () => Promise<void>] = ["Report, HTML", async () => exported("files", "report.html")];
-const OF_SCENES: [string, () => Promise<void>][] = [
-  ["Drawing, DXF", async () => exported("drawings", "drawing.dxf")],
-  ["Drawing, SVG", async () => exported("drawings", "drawing.svg")],
+const OF_RUNS: [string, () => Promise<void>][] = [
   REPORT,
   ["Result, JSON", async () => exported("files", "run.json")],
   ["Samples, CSV", async () => exported("files", "trace.csv")],
   FILM,
+];
+const OF_SCENES: [string, () => Promise<void>][] = [
+  ["Drawing, DXF", async () => exported("drawings", "drawing.dxf")],
+  ["Drawing, SVG", async () => exported("drawings", "drawing.svg")],
+  ...OF_RUNS,
 ];
 
 const OF_ROLLS: [string, () => Promise<void>][] = [REPORT, FILM, ["Result, JSON", async () => exported("files", "roll.json")]];
 
 const EXPORTS = {
   scene: OF_SCENES,
+  space: OF_RUNS,
   impact: [REPORT, ["Result, JSON", async () => exported("files", "impact.json")]],
   roll: OF_ROLLS,
   solid: OF_ROLLS,

@@ -45,12 +45,12 @@ async function dropped(event: DragEvent): Promise<void> {
 type Kind = keyof typeof TABS;
 
 function viewOf(name: Tab, kind: Kind): ComponentChildren {
-  if (name === "surely") return <Surely />;
+  if (name === "surely") return <Surely key={kind} inSpace={kind === "space"} />;
   if (name === "map") return <MapView key={kind} />;
   if (name === "design") return <Design />;
   const { lab } = shown.value;
   if (kind === "impact") return lab !== undefined && <Lab lab={lab} />;
-  return kind === "solid" ? <Solid /> : <Picture />;
+  return kind === "solid" || kind === "space" ? <Solid /> : <Picture />;
 }
 
 function TabButton({ name, label, kind, chosen }: { name: Tab; label: string; kind: Kind; chosen: boolean }) {

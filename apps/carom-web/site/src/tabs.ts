@@ -13,6 +13,7 @@ export const TABS: Record<Kind, [Tab, string][]> = {
   scene: [["motion", "Motion"], ["surely", "How surely"], MAP, ["design", "Design"]],
   impact: [["motion", "Impact"], MAP],
   roll: [["motion", "Motion"], MAP],
+  space: [["motion", "Motion"], ["surely", "How surely"], MAP],
   solid: [["motion", "Motion"], MAP],
 };
 

@@ -31,6 +31,37 @@ test("the yield is the command's, and a drop to look at is one click away", asyn
   await close();
 });
 
+test("a solid part goes through its feeder in a view that can be turned, and its yield is the command's", async () => {
+  const { page, complaints, close } = await opened(FILE);
+  await page.locator("#scene").selectOption("solid.toml");
+  await page.locator("#solid").waitFor();
+  await until(page, "turned on “lower”");
+  const seen = () => page.evaluate(() => document.querySelector("#solid").toDataURL().length);
+  const before = await seen();
+  await page.locator("#solid").focus();
+  for (let press = 0; press < 5; press += 1) await page.keyboard.press("ArrowLeft");
+  assert.notEqual(await seen(), before, "it is seen from elsewhere");
+  await page.getByLabel("friction").first().fill("0.5");
+  await page.getByLabel("friction").first().press("Enter");
+  await until(page, "stuck on “upper”");
+  await page.locator("#undo").click();
+  await until(page, "turned on “lower”");
+  await page.locator("#tab-surely").click();
+  await page.locator("#samples").selectOption("256");
+  await page.locator("#sample").click();
+  await page.waitForFunction(() => document.querySelector(".surely [role=status]").textContent === "256 drops", undefined, { timeout: 120_000 });
+  const shown = await page.locator(".surely .headline strong").textContent();
+  const words = ["yield", "examples/solid.toml", "--samples", "256", "--seed", "1", "--format", "json", "--out", "target/surely-solid"];
+  const { stdout } = await promisify(execFile)(CAROM, words, { cwd: ROOT, maxBuffer: 1 << 26 });
+  const share = 100 * JSON.parse(stdout).yield.share;
+  assert.ok(Math.abs(Number.parseFloat(shown) - share) < 0.006, `${shown} and ${share} %`);
+  await page.locator(".surely button[data-case='0']").click();
+  await page.waitForFunction(() => document.querySelector("#scene").selectedOptions[0].textContent.startsWith("worst-"));
+  await page.locator("#solid").waitFor();
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("several workers say what one says, and are faster", async () => {
   const found = async (workers) => {
     const { page, complaints, close } = await designer({ workers });

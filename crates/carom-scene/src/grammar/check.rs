@@ -323,7 +323,7 @@ fn meant(problem: Problem, word: &str, allowed: &[&str]) -> Problem {
 }
 
 /// True where a value is of the type that is held, whatever else may be wrong with it.
-pub(super) fn is_of_type(holds: &Holds, value: &Value) -> bool {
+pub(crate) fn is_of_type(holds: &Holds, value: &Value) -> bool {
     match holds {
         Holds::Quantity(_) => matches!(value, Value::Number(_) | Value::Text(_) | Value::Table(_)),
         Holds::Number(_) => matches!(value, Value::Number(_)),

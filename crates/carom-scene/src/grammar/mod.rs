@@ -22,7 +22,7 @@ pub(crate) mod schema;
 mod section;
 mod value;
 
-pub(crate) use check::{can_stand_in_paths, check, name_of, variant};
+pub(crate) use check::{can_stand_in_paths, check, is_of_type, name_of, variant};
 pub(crate) use draft::comment_of;
 pub(crate) use recognise::{kinds_of_roll, shows_an_impact};
 pub(crate) use rule_check::shows_a_solid;

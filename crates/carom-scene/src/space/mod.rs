@@ -87,7 +87,7 @@ impl AnyScene {
     /// # Errors
     /// As [`Scene::parse`].
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
-        if read::shows_a_solid(source) {
+        if SpaceScene::is_one(source) {
             SpaceScene::parse(file, source).map(|scene| Self::Space(Box::new(scene)))
         } else {
             Scene::parse(file, source).map(|scene| Self::Plane(Box::new(scene)))
@@ -112,6 +112,11 @@ impl AnyScene {
 }
 
 impl SpaceScene {
+    /// Whether a text describes a solid part; whether it can be read is another question.
+    pub fn is_one(source: &str) -> bool {
+        read::shows_a_solid(source)
+    }
+
     /// Reads a scene's text; `file` is the name its problems are reported under, and an STL file is looked for in its folder.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use super::MADE_BY;
 use carom_feeder::spatial::Run;
-use carom_figure::{SpaceFigure, Wish, space_report};
+use carom_figure::{LiveSolid, SpaceFigure, Wish, live_space, space_report};
 use carom_scene::{SpaceRunReport, SpaceScene};
 use carom_words::part;
 use std::fmt::Write as _;
@@ -28,12 +28,34 @@ pub fn run_files(scene: &SpaceScene, run: &Run) -> Result<Vec<(&'static str, Str
     Ok(vec![
         ("trace.csv", trace(run)),
         ("run.json", format!("{result}\n")),
-        ("report.html", page(scene, run, &report)),
+        ("report.html", shown(scene, run, &report, space_report)),
     ])
 }
 
-/// The report of a run, one HTML page.
-fn page(scene: &SpaceScene, run: &Run, report: &SpaceRunReport) -> String {
+/// The report of a run piece by piece, for a page that stays open; and whether the run ends as wanted, where anything is.
+///
+/// # Example
+/// ```
+/// use carom::{scene::SpaceScene, tasks::space::live};
+/// let text = "part = { box = [0.04, 0.01, 0.02], mass = 0.06 }\ncontact = { friction = 0.5 }\nstart = { to_edge = 0.1 }\n[[plate]]\nslope = \"15 deg\"";
+/// let scene = SpaceScene::parse("stays.toml", text)?;
+/// let (live, met) = live(&scene, &scene.feeder().run()?);
+/// assert!(live.sections.verdict.contains("Stuck") && met.is_none());
+/// # Ok::<(), carom::Error>(())
+/// ```
+pub fn live(scene: &SpaceScene, run: &Run) -> (LiveSolid, Option<bool>) {
+    let report = SpaceRunReport::new(scene, run);
+    let met = (!report.wanted.is_empty()).then(|| report.wanted.iter().all(|wanted| wanted.met));
+    (shown(scene, run, &report, live_space), met)
+}
+
+/// A run as a figure shows it.
+fn shown<T>(
+    scene: &SpaceScene,
+    run: &Run,
+    report: &SpaceRunReport,
+    show: impl FnOnce(&SpaceFigure<'_>) -> T,
+) -> T {
     let feeder = scene.feeder();
     let label = |name: &str| match feeder.plates.iter().position(|plate| plate.name == name) {
         Some(plate) => part::obstacle(feeder, plate),
@@ -44,7 +66,7 @@ fn page(scene: &SpaceScene, run: &Run, report: &SpaceRunReport) -> String {
         want: wanted.want.clone(),
         met: wanted.met,
     };
-    space_report(&SpaceFigure {
+    show(&SpaceFigure {
         title: scene.name(),
         feeder,
         run,

@@ -268,7 +268,7 @@ export function Quantities() {
       {groups(quantities).map(([table, own]) => (
         <fieldset key={table}>
           <legend>{table}</legend>
-          {table === "part" && <Kind />}
+          {table === "part" && ofScene() && <Kind />}
           {own.map((quantity) => (
             <Field key={quantity.path} quantity={quantity} />
           ))}

@@ -60,7 +60,7 @@ export function Words() {
           <div onClick={(event) => void chosen(event)} dangerouslySetInnerHTML={{ __html: sections.timeline }} />
           <div id="strike" aria-live="polite" dangerouslySetInnerHTML={{ __html: full.value }} />
           <More summary="The part and its faces" html={sections.part} />
-          <More summary="Table of stages" html={sections.stages} />
+          <More summary={kind === "space" ? "Strikes in full, and the plates" : "Table of stages"} html={sections.stages} />
           <div dangerouslySetInnerHTML={{ __html: sections.model }} />
         </>
       )}

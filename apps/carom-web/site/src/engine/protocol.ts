@@ -165,7 +165,7 @@ export interface DesignFound {
 
 export interface Reply {
   elsewhere?: boolean;
-  kind?: "scene" | "impact" | "roll" | "solid";
+  kind?: "scene" | "space" | "impact" | "roll" | "solid";
   text?: string;
   window?: Window;
   seen?: Seen;

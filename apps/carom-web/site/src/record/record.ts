@@ -65,7 +65,7 @@ function stage(): Stage | undefined {
 
 /** Moves the motion to an instant: by the player of the plane, or by the slider of the one in space. */
 function goTo(share: number, last: number): void {
-  if (shown.peek().kind !== "solid") {
+  if (shown.peek().solid === undefined) {
     playing.peek()?.goTo(share * last);
     return;
   }

@@ -10,8 +10,10 @@ import { Tolerances } from "./Tolerances";
 import { doc, open } from "../state";
 import { tab } from "../tabs";
 
-const FIRST = 1024;
-const AMOUNTS = [4096, 16384, 65536, 262144];
+/** Drops that may be asked for; in space one takes a thousand times as long. */
+const AMOUNTS = { plane: [4096, 16384, 65536, 262144], space: [256, 1024, 4096, 16384] };
+/** The first answer has so many times fewer than the least of them. */
+const SOONER = 4;
 const SEED = 1;
 
 const sampler = new Team();
@@ -21,12 +23,12 @@ const wrong = signal<Failure | undefined>(undefined);
 const running = signal<number | undefined>(undefined);
 
 /** Drops in ever larger numbers up to the one that is asked for: each answer is whole, and the next one is surer. */
-async function sample(most: number): Promise<void> {
+async function sample(most: number, first: number): Promise<void> {
   const of = doc.peek();
   wrong.value = undefined;
   running.value = most;
   try {
-    for (let samples = Math.min(FIRST, most); running.peek() === most; samples = Math.min(4 * samples, most)) {
+    for (let samples = Math.min(first, most); running.peek() === most; samples = Math.min(4 * samples, most)) {
       const reply = await sampler.study(of, { yield: { samples, seed: SEED } });
       if (reply.failure !== undefined) {
         wrong.value = reply.failure;
@@ -55,8 +57,10 @@ async function chosen(event: MouseEvent): Promise<void> {
   tab.value = "motion";
 }
 
-export function Surely() {
-  const most = useSignal(AMOUNTS[1] ?? FIRST);
+export function Surely({ inSpace }: { inSpace: boolean }) {
+  const amounts = AMOUNTS[inSpace ? "space" : "plane"];
+  const [least = 1, usual = least] = amounts;
+  const most = useSignal(usual);
   useSignalEffect(() => {
     // Another scene: what runs is of no use any more, nor what was wrong.
     if (doc.value.text !== "") wrong.value = undefined;
@@ -71,14 +75,14 @@ export function Surely() {
         <label>
           drops{" "}
           <select id="samples" value={most} onChange={(event) => (most.value = Number(event.currentTarget.value))}>
-            {AMOUNTS.map((amount) => (
+            {amounts.map((amount) => (
               <option key={amount} value={amount}>
                 {amount}
               </option>
             ))}
           </select>
         </label>
-        <Work id="sample" label="Find the yield" running={running.value !== undefined} begin={() => void sample(most.value)} stop={stop}>
+        <Work id="sample" label="Find the yield" running={running.value !== undefined} begin={() => void sample(most.value, least / SOONER)} stop={stop}>
           {running.value !== undefined && `${now === undefined || old ? 0 : now.samples} of ${running.value} drops …`}
           {running.value === undefined && now !== undefined && `${now.samples} drops${old ? ", of the scene before" : ""}`}
         </Work>

@@ -64,7 +64,7 @@ function Row({ quantity }: { quantity: Quantity }) {
 }
 
 export function Tolerances() {
-  const written = (whole.value.quantities ?? []).filter((quantity) => quantity.written && quantity.unit !== "count");
+  const written = (whole.value.quantities ?? []).filter(({ written, number, unit }) => written && number && unit !== "count");
   return (
     <details class="tolerances" open>
       <summary>Tolerances</summary>

@@ -26,8 +26,8 @@ impl<S: Drawn> YieldStudy<'_, S> {
     }
 }
 
-fn with_figure(
-    studied: &YieldStudy<'_, impl Drawn>,
+fn with_figure<S: Drawn>(
+    studied: &YieldStudy<'_, S>,
     folder: &Path,
     live: bool,
     show: impl Fn(&YieldFigure<'_>) -> String,
@@ -45,6 +45,7 @@ fn with_figure(
     let worst: Vec<YieldWorst> = saved.map(|worst| case(studied, worst, folder)).collect();
     show(&YieldFigure {
         title: studied.scene.name(),
+        motion: S::MOTION,
         wanted: &studied.wanted(),
         limited: studied.limits.is_some(),
         plate: &studied.plate_label(),
