@@ -47,11 +47,11 @@ test("a solid part goes through its feeder in a view that can be turned, and its
   await page.locator("#undo").click();
   await until(page, "turned on “lower”");
   await page.locator("#tab-surely").click();
-  await page.locator("#samples").selectOption("256");
+  await page.locator("#samples").selectOption("64");
   await page.locator("#sample").click();
-  await page.waitForFunction(() => document.querySelector(".surely [role=status]").textContent === "256 drops", undefined, { timeout: 120_000 });
+  await page.waitForFunction(() => document.querySelector(".surely [role=status]").textContent === "64 drops", undefined, { timeout: 120_000 });
   const shown = await page.locator(".surely .headline strong").textContent();
-  const words = ["yield", "examples/solid.toml", "--samples", "256", "--seed", "1", "--format", "json", "--out", "target/surely-solid"];
+  const words = ["yield", "examples/solid.toml", "--samples", "64", "--seed", "1", "--format", "json", "--out", "target/surely-solid"];
   const { stdout } = await promisify(execFile)(CAROM, words, { cwd: ROOT, maxBuffer: 1 << 26 });
   const share = 100 * JSON.parse(stdout).yield.share;
   assert.ok(Math.abs(Number.parseFloat(shown) - share) < 0.006, `${shown} and ${share} %`);

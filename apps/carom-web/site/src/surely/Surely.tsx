@@ -11,7 +11,7 @@ import { doc, open } from "../state";
 import { tab } from "../tabs";
 
 /** Drops that may be asked for; in space one takes a thousand times as long. */
-const AMOUNTS = { plane: [4096, 16384, 65536, 262144], space: [256, 1024, 4096, 16384] };
+const AMOUNTS = { plane: [4096, 16384, 65536, 262144], space: [64, 256, 1024, 4096] };
 /** The first answer has so many times fewer than the least of them. */
 const SOONER = 4;
 const SEED = 1;
