@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 impl Request {
     pub(crate) fn answer(&self, watch: &dyn Watch) -> Result<Reply, Failure> {
-        if Form::of(&self.name, &self.text) != Form::Scene || self.is_in_space() {
+        if !self.is_in_the_plane() {
             return self.besides(watch);
         }
         match &self.ask {
@@ -66,6 +66,11 @@ impl Request {
     #[expect(clippy::unnecessary_wraps, reason = "the whole engine's answer may fail")]
     fn besides(&self, _: &dyn Watch) -> Result<Reply, Failure> {
         Ok(Reply { elsewhere: true, ..Reply::default() })
+    }
+
+    /// Whether the file is a scene whose part moves in the plane.
+    pub(crate) fn is_in_the_plane(&self) -> bool {
+        Form::of(&self.name, &self.text) == Form::Scene && !self.is_in_space()
     }
 
     /// Whether the file is a scene whose part is a solid.

@@ -10,7 +10,7 @@ use carom::study::regions::{Options, Range};
 use carom::study::yields::{Contrasts, Points, Portion};
 use carom::tasks::map::{MapAxis, MapError, OutcomeMap};
 use carom::tasks::yields::YieldStudy;
-use carom_scene::{Drawn, Form, Scene, Varied};
+use carom_scene::{Drawn, Scene, Varied};
 use carom_words::part::Names;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -32,8 +32,7 @@ pub(crate) fn of(
         }
         Shared::Map { axes, cells, depth, accuracy } => {
             let options = Options { accuracy: *accuracy, depth: *depth };
-            let form = Form::of(&request.name, &request.text);
-            if form == Form::Scene && !request.is_in_space() {
+            if request.is_in_the_plane() {
                 let scene = request.scene()?;
                 let axes = scene_axes(&scene, axes, *cells);
                 let plate = last_plate(&scene);
@@ -41,7 +40,7 @@ pub(crate) fn of(
                 return packed(&map::to_words(&known.map_err(of_map)?));
             }
             let beside = request.files();
-            let file = File { form, name: &request.name, text: &request.text, beside: &beside };
+            let file = File::of(request, &beside);
             packed(&Plane::of(&file, axes, (*cells, options))?.explored(portion, watch)?)
         }
     }
@@ -76,8 +75,7 @@ pub(crate) fn joined(
         },
         Shared::Map { axes, cells, depth, accuracy } => {
             let options = Options { accuracy: *accuracy, depth: *depth };
-            let form = Form::of(&request.name, &request.text);
-            let html = if form == Form::Scene && !request.is_in_space() {
+            let html = if request.is_in_the_plane() {
                 let scene = request.scene()?;
                 let axes = scene_axes(&scene, axes, *cells);
                 let mut nodes = vec![];
@@ -89,7 +87,7 @@ pub(crate) fn joined(
                 drawn.map_err(of_map)?.live()
             } else {
                 let beside = request.files();
-                let file = File { form, name: &request.name, text: &request.text, beside: &beside };
+                let file = File::of(request, &beside);
                 let mut told = vec![];
                 for portion in first {
                     told.extend(unpacked::<Vec<_>>(portion)?);

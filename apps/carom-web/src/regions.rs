@@ -1,8 +1,9 @@
 //! How an impact or a roll comes out over two values of its file.
 
 use crate::fields::{dimensions, si};
-use crate::reply::{Failure, Headline};
-use crate::request::Side;
+use crate::reply::Failure;
+use crate::request::{Request, Side};
+use crate::solid;
 use crate::watch::Watch;
 use carom::study::Device;
 use carom::study::regions::{Options, Range, RegionsError, explore, find};
@@ -14,7 +15,6 @@ use carom_scene::unit::{Dimension, Unit};
 use carom_scene::{
     AnyImpact, Form, RollProblem, RollReport, SpaceScene, SpatialRollProblem, SpatialRollReport, editing,
 };
-use carom_words::run;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Mutex;
@@ -30,6 +30,13 @@ pub(crate) struct File<'a> {
     pub(crate) name: &'a str,
     pub(crate) text: &'a str,
     pub(crate) beside: &'a InMemory,
+}
+
+impl<'a> File<'a> {
+    pub(crate) fn of(request: &'a Request, beside: &'a InMemory) -> Self {
+        let (name, text) = (request.name.as_str(), request.text.as_str());
+        Self { form: Form::of(name, text), name, text, beside }
+    }
 }
 
 /// A value that is given to a file: its path, the value in SI, and its dimension.
@@ -74,9 +81,8 @@ fn set(text: &str, given: &[Given<'_>]) -> Option<String> {
 /// How a solid part comes out of its feeder.
 fn drop_in_space(file: &File<'_>, given: &[Given<'_>]) -> Option<String> {
     let scene = SpaceScene::parse_with(file.name, &set(file.text, given)?, file.beside).ok()?;
-    let feeder = scene.feeder();
-    let headline = run::headline_in_space(feeder, &feeder.drop_part().ok()?);
-    Some(Headline { word: headline.word, plate: headline.plate, wanted: None }.words())
+    let run = scene.feeder().drop_part().ok()?;
+    Some(solid::headline(&scene, &run, None).words())
 }
 
 fn impact(name: &str, text: &str, given: &[Given<'_>]) -> Option<String> {

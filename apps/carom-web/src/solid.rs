@@ -8,7 +8,7 @@ use carom::tasks::solid::{SolidStudy, words};
 use carom::tasks::space;
 use carom_figure::LiveSolid;
 use carom_scene::input::InMemory;
-use carom_scene::{Form, SpaceScene, SpatialRollKind, SpatialRollProblem};
+use carom_scene::{Drawn, Form, SpaceScene, SpatialRollKind, SpatialRollProblem};
 use carom_words::{Words, run as run_words};
 use serde_json::value::RawValue;
 
@@ -38,13 +38,18 @@ pub(crate) fn through_feeder(
     let text = changed(Form::Scene, &request.text, change)?;
     let scene = SpaceScene::parse_with(&request.name, &text, &request.files())?;
     let run = scene.feeder().run()?;
-    let (live, wanted) = space::live(&scene, &run);
-    let headline = headline(&scene, &run, wanted);
+    let live = space::live(&scene, &run);
+    let headline = headline(&scene, &run, scene.ends_as_wanted(&run));
     let words = format!("A solid part goes through the feeder: {}.", headline.words());
     Ok(Reply { kind: Some("space"), ..reply(live, (headline, words), frame, (Form::Scene, text))? })
 }
 
-fn headline(scene: &SpaceScene, run: &carom_feeder::spatial::Run, wanted: Option<bool>) -> Headline {
+/// How a solid part came out of its feeder.
+pub(crate) fn headline(
+    scene: &SpaceScene,
+    run: &carom_feeder::spatial::Run,
+    wanted: Option<bool>,
+) -> Headline {
     let found = run_words::headline_in_space(scene.feeder(), run);
     Headline { word: found.word, plate: found.plate, wanted }
 }

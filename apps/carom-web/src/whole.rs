@@ -25,7 +25,7 @@ impl Request {
                     Form::Scene => solid::through_feeder(self, change, *frame),
                 }
             }
-            Ask::Study(study) if form == Form::Scene && !self.is_in_space() => self.of_scene(study, watch),
+            Ask::Study(study) if self.is_in_the_plane() => self.of_scene(study, watch),
             Ask::Study(study) => self.of_another(form, study),
             Ask::Portion { study, round, number, of } => {
                 let portion = portions::of(self, study, (*round, (*number, *of)), watch)?;
@@ -58,7 +58,7 @@ impl Request {
                 let dimensions = fields::dimensions(form, text, values.keys())?;
                 let given =
                     values.iter().zip(&dimensions).map(|((path, value), of)| (path.as_str(), *value, *of));
-                let file = File { form, name, text, beside: &files };
+                let file = File::of(self, &files);
                 let word = regions::ending(&file, &given.collect::<Vec<_>>());
                 Ok(Reply { headline: Some(Headline { word, plate: None, wanted: None }), ..Reply::default() })
             }

@@ -112,9 +112,9 @@ impl AnyScene {
 }
 
 impl SpaceScene {
-    /// Whether a text describes a solid part; whether it can be read is another question.
+    /// Whether a text describes a solid part; a text that is no TOML does not.
     pub fn is_one(source: &str) -> bool {
-        read::shows_a_solid(source)
+        read::is_solid(&from_toml(source.strip_prefix('\u{feff}').unwrap_or(source)).0)
     }
 
     /// Reads a scene's text; `file` is the name its problems are reported under, and an STL file is looked for in its folder.

@@ -3,7 +3,7 @@
 use crate::drawing::{MassSpec, Outline, PartDrawing};
 use crate::grammar::{Section, shows_a_solid as described};
 use crate::input::Beside;
-use crate::node::{Node, Value, from_toml};
+use crate::node::{Node, Value};
 use crate::part_drawing::SolidDrawing;
 use crate::problem::{Problem, ProblemKind};
 use crate::roll::spatial::{read_mass, read_shape};
@@ -11,11 +11,6 @@ use crate::roll::spatial::{read_mass, read_shape};
 /// True of a scene whose part is a solid.
 pub(crate) fn is_solid(tree: &Node) -> bool {
     matches!(&tree.value, Value::Table(entries) if described(entries))
-}
-
-/// The same of its text; a text that cannot be read is none.
-pub(super) fn shows_a_solid(source: &str) -> bool {
-    is_solid(&from_toml(source.strip_prefix('\u{feff}').unwrap_or(source)).0)
 }
 
 /// The same of a scene that is being read.
