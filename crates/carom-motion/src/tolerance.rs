@@ -168,6 +168,8 @@ pub(crate) const PRINCIPAL_SPARE: f64 = 1e-6;
 pub(crate) const THINNEST_BODY: f64 = 1e-6;
 /// Vertices this close to their faces are on them: two units in the last place.
 pub(crate) const VERTEX_ON_FACE: f64 = 4e-16;
+/// Places that span less than this, in units of the reach, hold neither an edge nor a face.
+pub(crate) const LEAST_SPAN: f64 = 1e-6;
 /// Corners of a plate are on one plane within this part of its size, and turn by more.
 pub(crate) const FLAT_PLATE: f64 = 1e-9;
 /// What is deeper than this behind a face that has ends, or beyond an edge, in units of the body's reach, is beside it.
@@ -279,6 +281,8 @@ pub(crate) const ENERGY_ROOM: f64 = 1e-9;
 /// A march towards a touch makes steps of at least this fraction of the step that it looks at: what grazes the plane is passed over in finitely many, and
 /// is then below it by no more than the bound on its acceleration times the square of this.
 pub(crate) const LEAST_MARCH: f64 = 1e-7;
+/// Steps of a march are not so short that what grazes its plane in one of them comes less deep below it than this, in units of the reach.
+pub(crate) const GRAZES: f64 = 1e-12;
 /// Corrections of an event below this fraction of a step's length are rounding.
 pub(crate) const CORRECTION_ROUNDING: f64 = 4e-16;
 

@@ -6,7 +6,9 @@ use crate::evaluated::{Quantity, evaluated};
 use crate::spatial::geometry::clear::Outlook;
 use crate::spatial::geometry::posture::{Bend, Height, Moving, Posture};
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{BESIDE, CORRECTION_ROUNDING, LEAST_MARCH, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED};
+use crate::tolerance::{
+    BESIDE, CORRECTION_ROUNDING, GRAZES, LEAST_MARCH, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED,
+};
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
@@ -19,6 +21,8 @@ const SKIMMED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 const MOST_PLACES: usize = 24;
 /// A body that is certain to be beside an obstacle for a smaller part of a step is near it.
 const NEAR: f64 = 0.05;
+/// Looks of a march after which its steps are no shorter than what grazes a plane needs.
+const PATIENCE: u32 = 256;
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
 const MOST_NEWTON: u32 = 20;
 
@@ -125,6 +129,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
             for support in self.walker.world.of_obstacle(obstacle).into_iter().flatten() {
                 let clear = || self.walker.world.is_clear(support, &ahead, behind);
                 if self.held.contains(support)
+                    || self.flush.contains(support)
                     || self.fixed.holds(self.walker.world, support)
                     || !self.departing.contains(support) && clear()
                 {
@@ -186,21 +191,24 @@ impl<M: Motion> Gliding<'_, '_, M> {
         None
     }
 
-    /// A support with this height goes along its plane for the whole step and never leaves it: beside a wall, where nothing presses it.
-    fn skims(&mut self, step: &Step<M::Y>, support: usize, height: &Height) -> bool {
+    /// A support with this height goes along its plane between two places of a step and never leaves it: beside a wall, where nothing presses it.
+    fn skims(&mut self, step: &Step<M::Y>, support: usize, height: &Height, [from, until]: [f64; 2]) -> bool {
+        let skimmed = SKIMMED.map(|share| from + share * (until - from));
         // What is measured in the world is less exact than what is counted on.
         let ends = self.walker.world.limits(support) > 0;
         let (low, slow) = if ends { (SKIMS_BESIDE, SKIMS_MEASURED) } else { (SKIMS, SKIMS) };
         let (low, slow) = (low * self.walker.scales.length, slow * self.walker.scales.speed);
+        // In a short step it is as slow as the rounding of places is small.
+        let slow = if ends { slow.max(SKIMS * self.walker.scales.length / step.length) } else { slow };
         let stays = |height: &Height| height.value.abs() <= low && height.rate.abs() <= slow;
         let beside = self.walker.world.planes().len() > 1;
-        if beside && stays(height) && SKIMMED.into_iter().all(|x| stays(&self.look(step, support, x))) {
+        if beside && stays(height) && skimmed.into_iter().all(|x| stays(&self.look(step, support, x))) {
             return true;
         }
         let world = self.walker.world;
         world.pair(support).is_some_and(|pair| {
             let mut pose = |x: f64| self.place(step, x).moving.state.pose();
-            pair.is_parallel(pose(0.0)) && SKIMMED.into_iter().all(|x| pair.is_parallel(pose(x)))
+            pair.is_parallel(pose(from)) && skimmed.into_iter().all(|x| pair.is_parallel(pose(x)))
         })
     }
 
@@ -216,22 +224,28 @@ impl<M: Motion> Gliding<'_, '_, M> {
         let length = step.length;
         let ends = self.walker.world.limits(support) > 0;
         let behind = BESIDE * self.walker.scales.length;
-        let mut x = from;
+        let (mut x, mut looks) = (from, 0_u32);
         while x < until {
             let seen = self.place(step, x);
+            looks += 1;
             let height = self.approach(support, &seen);
             // It is noted, and nothing can be said of what comes after.
-            if height.value.is_nan() || x == from && self.skims(step, support, &height) {
+            if height.value.is_nan() {
+                return None;
+            }
+            // What comes to its plane later may go along it from there on: it is asked again, ever more seldom.
+            if looks.is_power_of_two() && self.skims(step, support, &height, [x, until]) {
                 return None;
             }
             let bend = self.bend(support, &seen, (until - x) * length);
+            let least = if looks > PATIENCE { self.coarse(&bend, length) } else { LEAST_MARCH };
             let aside = self.stays_aside(support, &seen, (until - x) * length);
             // Beside a face, or beyond an edge: what comes through from behind touches nothing.
             if aside > 0.0 || ends && height.value < -behind {
                 let rate = height.rate.copysign(height.rate * height.value);
                 let other = Height { value: height.value.abs(), rate, second: 0.0 };
                 let clear = other.clear(&bend);
-                let next = (x + (clear.max(aside) / length).max(LEAST_MARCH)).min(until);
+                let next = (x + (clear.max(aside) / length).max(least)).min(until);
                 if height.value > 0.0 && next > x + clear / length {
                     // While it was waited for what is beside it may come through just where it is there.
                     let found = self.comes_through(step, support, [x, next], behind);
@@ -258,13 +272,13 @@ impl<M: Motion> Gliding<'_, '_, M> {
                     if at >= until || self.is_within(step, support, at) {
                         return (at < until).then_some(Found::at(at, Event::Touches(support)));
                     }
-                    x = at.max(x) + LEAST_MARCH;
+                    x = at.max(x) + least;
                     continue;
                 }
             }
             let clear = height.clear(&bend) / length;
-            let next = (x + clear.max(LEAST_MARCH)).min(until);
-            if ends && height.value > 0.0 && clear < LEAST_MARCH {
+            let next = (x + clear.max(least)).min(until);
+            if ends && height.value > 0.0 && clear < least {
                 let found = self.comes_through(step, support, [x, next], behind);
                 if found.is_some() {
                     return found;
@@ -273,6 +287,12 @@ impl<M: Motion> Gliding<'_, '_, M> {
             x = next;
         }
         None
+    }
+
+    /// The shortest step of a march that takes long, as a part of the step that it looks at: in it what grazes a plane comes below it by no more than is told apart there.
+    fn coarse(&self, bend: &Bend, length: f64) -> f64 {
+        let time = (GRAZES * self.walker.scales.length / bend.most).sqrt();
+        if time.is_finite() { LEAST_MARCH.max(time / length) } else { LEAST_MARCH }
     }
 
     /// The touch of what is above its face at the first of two places of a step, behind it at the second, and within its ends where it comes through.

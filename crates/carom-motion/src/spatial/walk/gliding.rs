@@ -30,6 +30,8 @@ pub(super) struct Gliding<'g, 'w, M: Motion> {
     pub(in crate::spatial) held: Supports,
     /// What of the body stays where it is: heights of its points do not change.
     pub(super) fixed: Fixed,
+    /// Supports that cannot leave what they touch meanwhile.
+    pub(super) flush: Supports,
     /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
     pub(super) departing: Supports,
     pub(in crate::spatial) overturning: Option<Overturning>,
@@ -65,6 +67,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         Self {
             held,
             fixed: walker.mode.fixed(walker.world),
+            flush: walker.flush(),
             departing: std::mem::take(&mut walker.departing),
             overturning: walker.options.overturning,
             middle: body.middle(),
