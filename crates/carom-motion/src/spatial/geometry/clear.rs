@@ -2,9 +2,13 @@
 
 use super::pair::Pair;
 use super::posture::{Most, Moving};
+use super::state::State;
 use super::world::{Support, World};
-use crate::tolerance::CLEAR_OF_ROUNDING;
+use crate::tolerance::{CLEAR_OF_ROUNDING, FAR};
 use carom_num::{Mat3, Vec3};
+
+/// Edges and corners that are farther apart than this, in units of the reach, are far.
+const NEAR_PAIR: f64 = 0.05;
 
 /// How a body stands and moves at an instant, and what its motion does not exceed for some time.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +46,24 @@ impl Outlook {
 }
 
 impl World {
+    /// For each pair whether it is so far from touching that nothing is noted of its gap.
+    pub(in crate::spatial) fn far(&self, state: &State) -> Vec<bool> {
+        let still = Most { spin: 0.0, turning: 0.0, acceleration: 0.0 };
+        let moving = Moving { state: *state, acceleration: Vec3::ZERO, turning: Vec3::ZERO };
+        let (now, reach) = (Outlook::of(&moving, still, 0.0), self.body().reach());
+        let mut far = vec![true; self.count() - self.of_faces()];
+        for obstacle in 0..self.obstacle_count() {
+            if self.distance(obstacle, state.centre) > FAR * reach {
+                continue;
+            }
+            let [_, pairs] = self.of_obstacle(obstacle);
+            for pair in pairs {
+                far[pair - self.of_faces()] = self.is_clear(pair, &now, NEAR_PAIR * reach);
+            }
+        }
+        far
+    }
+
     /// True where a support is certain not to touch in the time that is looked ahead; false says nothing. `spare` is how far behind a face what is beside its obstacle may be \[m\].
     pub(in crate::spatial) fn is_clear(&self, support: usize, ahead: &Outlook, spare: f64) -> bool {
         // Small heights are counted on from a touch, and differ from what is measured here.

@@ -7,7 +7,7 @@ use super::state::{Pose, State, measured};
 use super::supports::Supports;
 use super::surface::{Edge, Limit, Surface};
 use super::world::{Share, Support, World};
-use crate::tolerance::{BETWEEN_FACES, BEYOND_END, CARRIES, FAR, ONE_PLACE, RESTING_SLIP};
+use crate::tolerance::{BETWEEN_FACES, BEYOND_END, CARRIES, ONE_PLACE, RESTING_SLIP};
 use carom_num::Vec3;
 use std::ops::Range;
 
@@ -192,13 +192,6 @@ impl World {
             .map(|plane| plane.height(place))
             .chain(edges.iter().map(beyond))
             .fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// The pairs of obstacles from which the body, with its mass centre here, is so far that none of them is near touching.
-    pub(in crate::spatial) fn far(&self, centre: Vec3) -> Vec<Range<usize>> {
-        let reach = FAR * self.body().reach();
-        let far = (0..self.obstacle_count()).filter(|obstacle| self.distance(*obstacle, centre) > reach);
-        far.map(|obstacle| self.of_obstacle(obstacle)[1].clone()).collect()
     }
 
     /// A body that flies so is below all obstacles that have ends, and no plane without ends faces upwards: nothing can carry it any more.

@@ -61,13 +61,20 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     pub(in crate::spatial) fn height(&self, support: usize, at: &Posture) -> Height {
-        let height = self.motion.gap(self.walker.world, support, at);
+        self.height_of(support, at, &self.motion.moving(at))
+    }
+
+    /// The same of a body of which it is known how it moves.
+    pub(super) fn height_of(&self, support: usize, at: &Posture, moving: &Moving) -> Height {
+        let height = self.motion.gap(self.walker.world, support, at, moving);
         Height { value: evaluated(Quantity::Gap, height.value + self.counted(support)), ..height }
     }
 
     /// What is searched for the touch of a support: its height, or of edges what is zero with it and bends less.
     fn approach(&self, support: usize, seen: &Place<M::Y>) -> Height {
-        let Some(pair) = self.walker.world.pair(support) else { return self.height(support, &seen.at) };
+        let Some(pair) = self.walker.world.pair(support) else {
+            return self.height_of(support, &seen.at, &seen.moving);
+        };
         let [value, rate] = pair.approach(&seen.moving.state, self.counted(support));
         Height { value: evaluated(Quantity::Gap, value), rate, second: 0.0 }
     }
@@ -158,8 +165,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
         let until = first.map_or(1.0, |found| found.at);
         let from = if self.departing.contains(support) {
             let mut bend = |x: f64| {
-                let at = self.place(step, x).at;
-                let second = self.height(support, &at).second;
+                let Place { at, moving, .. } = self.place(step, x);
+                let second = self.height_of(support, &at, &moving).second;
                 // At the very start it may be zero, but for rounding.
                 [if x == 0.0 { second.max(0.0) } else { second }]
             };

@@ -52,13 +52,14 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     pub(in crate::spatial) fn from(walker: &'g mut Walker<'w>, motion: M, first: &M::Y) -> Self {
         let (world, near) = (walker.world, SKIMS_MEASURED * walker.scales.length);
         let at = motion.posture(first, 0.0);
+        let moving = motion.moving(&at);
         let count = |i: usize| {
             let noted = walker.heights[i];
             // Of what is far no gap is counted on.
             if noted == f64::INFINITY {
                 return 0.0;
             }
-            let gap = motion.gap(world, i, &at).value;
+            let gap = motion.gap(world, i, &at, &moving).value;
             // What has just touched is at no height, however little the projection of others has moved it.
             if gap.is_finite() && noted == 0.0 || (noted - gap).abs() <= near { noted - gap } else { 0.0 }
         };
@@ -83,13 +84,15 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
 
     pub(super) fn first_length(&self, first: &M::Y) -> f64 {
         let (at, unit) = (self.motion.posture(first, 0.0), self.walker.scales.time);
+        let moving = self.motion.moving(&at);
+        let height = |i: usize| self.height_of(i, &at, &moving);
         let free = (0..self.walker.world.count()).filter(|i| !self.held.contains(*i));
         // What is beside a face, or behind it, may be at no height as well.
         let world = self.walker.world;
         let low = TOUCHES_AT_START * self.walker.scales.length;
         let near = |i: &usize| self.walker.heights[*i] < f64::INFINITY;
-        let ahead = |i: &usize| world.limits(*i) == 0 || self.height(*i, &at).value > low;
-        let foreseen = free.filter(near).filter(ahead).filter_map(|i| self.height(i, &at).forecast());
+        let ahead = |i: &usize| world.limits(*i) == 0 || height(*i).value > low;
+        let foreseen = free.filter(near).filter(ahead).filter_map(|i| height(i).forecast());
         let foreseen = foreseen.fold(f64::INFINITY, f64::min);
         let own = if self.walker.length > 0.0 { self.walker.length } else { FIRST_STEP * unit };
         own.max(FIRST_STEP * unit).min(BEYOND * foreseen).max(SHORTEST_SPATIAL_STEP * unit)
@@ -113,13 +116,13 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
     /// Carries the heights on to the end of a stretch. Heights that are not small are measured again, so that rounding does not add up.
     fn note_heights(&mut self, at: &Posture) {
         let (world, foot) = (self.walker.world, self.walker.mode.foot());
-        let far = world.far(self.walker.state.centre);
+        let (far, moving) = (world.far(&self.walker.state), self.motion.moving(at));
         for support in 0..world.count() {
-            if far.iter().any(|pairs| pairs.contains(&support)) {
+            if support >= world.of_faces() && far[support - world.of_faces()] {
                 self.walker.heights[support] = f64::INFINITY;
                 continue;
             }
-            let counted = self.height(support, at).value;
+            let counted = self.height_of(support, at, &moving).value;
             self.walker.heights[support] = if self.held.contains(support) {
                 0.0
             } else if counted.abs() > SMALL_HEIGHT * self.walker.scales.length {

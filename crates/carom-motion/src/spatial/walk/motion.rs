@@ -108,9 +108,9 @@ pub(in crate::spatial) trait Motion {
     fn height(&self, world: &World, support: usize, at: &Posture) -> Height;
 
     /// The height of any support.
-    fn gap(&self, world: &World, support: usize, at: &Posture) -> Height {
+    fn gap(&self, world: &World, support: usize, at: &Posture, moving: &Moving) -> Height {
         match world.pair(support) {
-            Some(pair) => pair.height(&self.moving(at)),
+            Some(pair) => pair.height(moving),
             None => self.height(world, support, at),
         }
     }

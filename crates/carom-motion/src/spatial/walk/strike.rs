@@ -36,10 +36,8 @@ impl Walker<'_> {
     fn measure_heights(&mut self) {
         let (world, state) = (self.world, self.state);
         let placed = |i: &usize| measured(world, &state, None, *i);
-        let far = world.far(state.centre);
-        for support in world.of_faces()..world.count() {
-            let is_far = far.iter().any(|pairs| pairs.contains(&support));
-            self.heights[support] = if is_far { f64::INFINITY } else { placed(&support) };
+        for (support, far) in (world.of_faces()..).zip(world.far(&state)) {
+            self.heights[support] = if far { f64::INFINITY } else { placed(&support) };
         }
         for plane in 0..world.planes().len() {
             let own = world.of_plane(plane);
@@ -216,7 +214,8 @@ impl Walker<'_> {
 
     fn drawn_down<M: Motion>(&self, motion: &M, first: &M::Y, grazing: Supports) -> Supports {
         let now = motion.posture(first, 0.0);
-        grazing.iter().filter(|i| motion.gap(self.world, *i, &now).second <= 0.0).collect()
+        let moving = motion.moving(&now);
+        grazing.iter().filter(|i| motion.gap(self.world, *i, &now, &moving).second <= 0.0).collect()
     }
 
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.
