@@ -1,10 +1,12 @@
 //! What is certain not to touch for some time, told by a look at one instant: most of what a body and an obstacle have.
 
 use super::pair::Pair;
-use super::posture::{Most, Moving};
+use super::posture::{Height, Most, Moving};
 use super::state::State;
+use super::surface::Edge;
 use super::world::{Support, World};
 use crate::tolerance::{CLEAR_OF_ROUNDING, FAR};
+use carom_num::segment::distance;
 use carom_num::{Mat3, Vec3};
 
 /// Edges and corners that are farther apart than this, in units of the reach, are far.
@@ -37,6 +39,14 @@ impl Outlook {
         let speed = (self.velocity + self.spin.cross(arm)).norm();
         let bend = acceleration + r.norm() * (turning + spin * spin);
         (self.centre + arm, (speed + 0.5 * bend * self.time) * self.time)
+    }
+
+    /// True where an edge of the body cannot come to one of an obstacle in the time.
+    fn keeps_apart(&self, own: &Edge, other: &Edge, spare: f64) -> bool {
+        let ends = own.ends().map(|end| self.moves(end));
+        // No point between the ends goes farther than both.
+        let far = ends[0].1.max(ends[1].1);
+        distance(ends.map(|(place, _)| place), other.ends()) > far + spare
     }
 
     /// A place of the world, body axes.
@@ -80,9 +90,21 @@ impl World {
                 let (middle, far) = ahead.moves(own.middle());
                 let along = other.along.dot(middle - other.from).clamp(0.0, other.length);
                 let distance = (other.from + other.along * along - middle).norm();
-                distance > 0.5 * own.length + far + spare
+                distance > 0.5 * own.length + far + spare || ahead.keeps_apart(own, other, spare)
             }
         }
+    }
+
+    /// For so long at least edges that may cross stay farther apart than `spare` \[s\], however parallel they become; 0 of other supports.
+    pub(in crate::spatial) fn apart(&self, support: usize, state: &State, most: &Most, spare: f64) -> f64 {
+        let Some(Pair::Cross { own, other }) = self.pair(support) else { return 0.0 };
+        let ends = own.ends();
+        let clear = distance(ends.map(|end| state.place(end)), other.ends()) - spare;
+        let largest = |of: &dyn Fn(Vec3) -> f64| ends.into_iter().map(of).fold(0.0, f64::max);
+        let speed = largest(&|end| state.velocity_of(end).norm());
+        let bent = most.turning + most.spin * most.spin;
+        let bend = most.acceleration + largest(&|end| end.norm()) * bent;
+        if clear > 0.0 { Height { value: clear, rate: -speed, second: 0.0 }.safe(bend) } else { 0.0 }
     }
 
     fn point_is_clear(&self, support: usize, ahead: &Outlook, spare: f64) -> bool {

@@ -52,6 +52,13 @@ pub(in crate::spatial) struct Surface {
     pub(in crate::spatial) spokes: Vec<Vec<Vec3>>,
 }
 
+impl Edge {
+    /// Where it begins and where it ends.
+    pub(in crate::spatial) fn ends(&self) -> [Vec3; 2] {
+        [self.from, self.from + self.along * self.length]
+    }
+}
+
 impl Facet {
     /// The face with these corners, counter-clockwise as seen from outside.
     pub(in crate::spatial) fn of(normal: Vec3, corners: &[Vec3]) -> Self {

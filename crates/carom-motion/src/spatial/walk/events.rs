@@ -21,6 +21,8 @@ const SKIMMED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 const MOST_PLACES: usize = 24;
 /// A body that is certain to be beside an obstacle for a smaller part of a step is near it.
 const NEAR: f64 = 0.05;
+/// Looks of a march that is not long.
+const FEW: u32 = 4;
 /// Looks of a march after which its steps are no shorter than what grazes a plane needs.
 const PATIENCE: u32 = 256;
 /// Steps of Newton's method on the dense output after which a step is made to where they have come.
@@ -251,7 +253,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
             if aside > 0.0 || ends && height.value < -behind {
                 let rate = height.rate.copysign(height.rate * height.value);
                 let other = Height { value: height.value.abs(), rate, second: 0.0 };
-                let clear = other.clear(&bend);
+                let clear = other.clear(&bend).max(self.apart(support, &seen, (until - x) * length, looks));
                 let next = (x + (clear.max(aside) / length).max(least)).min(until);
                 if height.value > 0.0 && next > x + clear / length {
                     // While it was waited for what is beside it may come through just where it is there.
@@ -283,7 +285,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
                     continue;
                 }
             }
-            let clear = height.clear(&bend) / length;
+            let apart = self.apart(support, &seen, (until - x) * length, looks);
+            let clear = height.clear(&bend).max(apart) / length;
             let next = (x + clear.max(least)).min(until);
             if ends && height.value > 0.0 && clear < least {
                 let found = self.comes_through(step, support, [x, next], behind);
@@ -294,6 +297,16 @@ impl<M: Motion> Gliding<'_, '_, M> {
             x = next;
         }
         None
+    }
+
+    /// For so long at least edges stay apart: asked in a march of several looks, where what is zero as they touch is small because they are nearly parallel.
+    fn apart(&self, support: usize, seen: &Place<M::Y>, time: f64, looks: u32) -> f64 {
+        if looks < FEW {
+            return 0.0;
+        }
+        let most = self.motion.most(&seen.at, time);
+        let spare = SKIMS_BESIDE * self.walker.scales.length;
+        self.walker.world.apart(support, &seen.moving.state, &most, spare)
     }
 
     /// The shortest step of a march that takes long, as a part of the step that it looks at: in it what grazes a plane comes below it by no more than is told apart there.

@@ -21,6 +21,9 @@ use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 use std::ops::ControlFlow;
 
+/// What touches again without having risen is faint up to so many times the speed of a faint strike.
+const LOST_HOP: f64 = 10.0;
+
 impl Walker<'_> {
     /// Velocity of a support, world axes.
     pub(in crate::spatial) fn velocity_of(&self, support: usize) -> Vec3 {
@@ -140,7 +143,9 @@ impl Walker<'_> {
             return self.strike(touching, striking);
         }
         // What rises touches in passing: another edge at the corner over which the body leaves, say. Where nothing slides all supports are of one plane.
-        let faint = FAINT_STRIKE * self.scales.speed;
+        // Of a hop that is down again at once rounding has taken the height.
+        let hops = if self.lasted == 0.0 { LOST_HOP } else { 1.0 };
+        let faint = FAINT_STRIKE * self.scales.speed * hops;
         let slides = self.world.friction().is_some();
         let grazing = free.those(|i| !slides || self.rise_of(i) <= faint);
         if grazing.is_empty() {
