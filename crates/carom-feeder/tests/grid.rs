@@ -9,8 +9,10 @@
 
 use crate::paper;
 
-use carom_feeder::{Feeder, Outcome, Run, Verdict};
+use carom_feeder::{Feeder, Outcome, Run, Verdict, spatial};
 use carom_motion::planar::Options;
+use carom_motion::spatial::Body;
+use carom_num::{Mat3, Vec3};
 
 struct Row {
     slope: f64,
@@ -91,6 +93,42 @@ fn every_design_of_the_grid_agrees() {
         assert_eq!((verdicts, kinds), (98, 98), "thickness {thickness}");
         assert!(worst_spin < 1e-6 && worst_time < 1e-7, "{worst_spin} {worst_time}");
     }
+}
+
+/// The bar of 1 mm as a solid, with the inertia that the reference has.
+fn bar() -> spatial::Part {
+    let edges = Vec3::new(0.1, 0.001, 0.02);
+    let block = spatial::examples::block(edges, 0.3);
+    let square = |a: f64, b: f64| 0.3 * (a * a + b * b) / 12.0;
+    let inertia = Mat3::diagonal(square(edges.y, edges.z), square(edges.x, edges.z), 2.5e-4);
+    let body = Body::new(0.3, inertia, block.body.supports().to_vec()).unwrap();
+    spatial::Part { body, faces: block.faces }
+}
+
+#[test]
+fn every_design_of_the_grid_agrees_in_space() {
+    let (mut verdicts, mut spins, mut times, mut ends) = (0, 0.0_f64, 0.0_f64, 0.0_f64);
+    for row in &rows() {
+        let feeder = design(row, 0.001);
+        let (plane, run) = (feeder.run().unwrap(), paper::in_space(&feeder, bar()).run().unwrap());
+        let strike = &run.impacts[0];
+        spins =
+            spins.max((strike.spin_after.norm() - row.spin_after[1].abs()).abs() / row.spin_after[1].abs());
+        times = times.max((strike.time - plane.trace.impacts[0].time).abs());
+        let landing = run.final_landing().unwrap();
+        let found = match landing.verdict {
+            Some(Verdict::Same) => "same",
+            Some(Verdict::Turned) => "turned",
+            _ => "other",
+        };
+        ends = ends.max((landing.flat.unwrap() - plane.landings.last().unwrap().flat.unwrap()).abs());
+        verdicts += u32::from(run.outcome == Outcome::Landed && found == row.verdict[1]);
+    }
+    println!(
+        "in space: verdicts {verdicts} of 98, spin within {spins:.1e}, first strike within {times:.1e} s, flat within {ends:.1e} s"
+    );
+    assert_eq!(verdicts, 98);
+    assert!(spins < 1e-6 && times < 1e-8 && ends < 1e-8, "{spins} {times} {ends}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "how far two engines differ is a measurement")]
 
+use crate::paper;
 use carom_feeder::spatial::{self, Exit, Wall, WallForm, examples};
 use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
@@ -14,6 +15,9 @@ use rayon::prelude::*;
 
 const SCENES: u64 = 1000;
 const IN_A_GROOVE: u64 = 100;
+const ANYHOW: u64 = 200;
+/// Looks at the motion of one drop, in search of its events.
+const MOST_LOOKS: u64 = 1_000_000;
 /// Where no series of impacts is closed the two engines agree so far [s].
 const SAME_TIME: f64 = 1e-9;
 /// A series is closed at its limit, in each engine at another impact; after some hundred impacts the two part [s].
@@ -73,27 +77,9 @@ impl Scene {
     }
 
     fn in_space(&self, walls: Vec<Wall>) -> spatial::Feeder {
-        let plate = |(name, uphill, edge): (&str, Vec2, Vec2)| spatial::Plate {
-            name: name.to_owned(),
-            uphill,
-            edge,
-            width: None,
-            roll: 0.0,
-            side_walls: 0.0,
-            friction: self.friction,
-            restitution: self.restitution,
-            unbounded: false,
-        };
         let [x, y, z] = self.edges;
-        spatial::Feeder {
-            gravity: 9.81,
-            stop: Stop::Landed,
-            law: Default::default(),
-            part: examples::block(Vec3::new(x, y, z), 0.05),
-            start: spatial::Start { to_edge: 0.12, aside: 0.0, turn: 0.0, speed: 0.0, face: 0 },
-            plates: self.plates().map(plate).to_vec(),
-            walls,
-        }
+        let part = examples::block(Vec3::new(x, y, z), 0.05);
+        spatial::Feeder { walls, ..paper::in_space(&self.in_the_plane(), part) }
     }
 }
 
@@ -284,4 +270,52 @@ fn a_part_starts_on_its_face() {
             assert!((height - feeder.part.faces[face].depth).abs() < 1e-15, "{face}, {turn}: {height}");
         }
     }
+}
+
+/// A feeder that is drawn by chance, with a box that is set down anyhow; or its image in the plane of the drawing.
+fn drawn_anyhow(case: u64, mirrored: bool) -> spatial::Feeder {
+    let scene = Scene::drawn(case);
+    let mut feeder = scene.in_space(vec![]);
+    let mut rng = Pcg64::seed_from_u64(case ^ 0x5eed);
+    let side = if mirrored { -1.0 } else { 1.0 };
+    let (turn, aside) = (rng.random_range(-3.0..3.0), rng.random_range(-0.01..0.01));
+    let face = rng.random_range(0..6);
+    let face = if mirrored { image(&feeder.part, face) } else { face };
+    feeder.start = spatial::Start { turn: side * turn, aside: side * aside, face, ..feeder.start };
+    for plate in &mut feeder.plates {
+        plate.roll = side * rng.random_range(-0.1_f64..0.1);
+    }
+    let lower = &mut feeder.plates[1];
+    lower.width = rng.random_bool(0.5).then(|| rng.random_range(0.06..0.12));
+    lower.side_walls = if lower.width.is_some() && rng.random_bool(0.5) { 0.02 } else { 0.0 };
+    feeder
+}
+
+/// The face that is another one's image.
+fn image(part: &spatial::Part, face: usize) -> usize {
+    let normal = part.faces[face].normal;
+    part.facing(Vec3::new(normal.x, normal.y, -normal.z)).unwrap()
+}
+
+#[test]
+fn the_image_of_a_drop_is_the_drop_of_the_image() {
+    let one = |case: u64| {
+        let [feeder, other] = [false, true].map(|mirrored| drawn_anyhow(case, mirrored));
+        let [run, mirrored] = [&feeder, &other].map(|feeder| feeder.run_untraced().unwrap());
+        assert_eq!(run.outcome, mirrored.outcome, "{case}");
+        let face = |run: &spatial::Run| run.final_landing().and_then(|landing| landing.face);
+        assert_eq!(face(&run).map(|face| image(&feeder.part, face)), face(&mirrored), "{case}");
+        // What takes long is one search among others: a drop that needs many times the work of the others is stuck in it.
+        let looks = run.effort.event_evaluations.max(mirrored.effort.event_evaluations);
+        (looks, (run.end_time - mirrored.end_time).abs())
+    };
+    let found: Vec<(u64, f64)> = (0..ANYHOW).into_par_iter().map(one).collect();
+    let looks = found.iter().map(|(looks, _)| *looks).max().unwrap();
+    let mut apart: Vec<f64> = found.iter().map(|(_, apart)| *apart).collect();
+    apart.sort_by(f64::total_cmp);
+    let (half, worst) = (apart[apart.len() / 2], apart[apart.len() - 1]);
+    println!(
+        "{ANYHOW} feeders and their images: half end within {half:.1e} s, the worst {worst:.1e} s; at most {looks} looks"
+    );
+    assert!(half < SAME_TIME && looks < MOST_LOOKS, "{half} s, {looks} looks");
 }

@@ -302,20 +302,41 @@ impl World {
         if self.pairs.is_empty() {
             return supports;
         }
-        let near = ONE_PLACE * self.body().reach();
         let mut seen: Vec<(Vec3, Vec3)> = vec![];
         let mut out = Supports::NONE;
         for support in supports.iter() {
-            let (place, normal) = (self.arm(support, pose), self.normal(support, pose));
-            let same = |(other, up): &(Vec3, Vec3)| {
-                (place - *other).norm() <= near && (normal - *up).norm() <= ONE_PLACE
-            };
-            if !seen.iter().any(same) {
-                seen.push((place, normal));
+            let own = self.place_of(support, pose);
+            if !seen.iter().any(|other| self.is_one_place(own, *other)) {
+                seen.push(own);
                 out = out.with(support);
             }
         }
         out
+    }
+
+    /// Those of some supports that touch where these do, with the same normal.
+    pub(in crate::spatial) fn twins(
+        &self,
+        of: Supports,
+        among: impl Iterator<Item = usize>,
+        pose: Pose,
+    ) -> Supports {
+        let seen: Vec<(Vec3, Vec3)> = of.iter().map(|support| self.place_of(support, pose)).collect();
+        let is_twin = |i: &usize| {
+            let own = self.place_of(*i, pose);
+            seen.iter().any(|other| self.is_one_place(own, *other))
+        };
+        among.filter(is_twin).collect()
+    }
+
+    /// Where a support touches, body axes, and its normal, world axes.
+    fn place_of(&self, support: usize, pose: Pose) -> (Vec3, Vec3) {
+        (self.arm(support, pose), self.normal(support, pose))
+    }
+
+    fn is_one_place(&self, (place, normal): (Vec3, Vec3), (other, up): (Vec3, Vec3)) -> bool {
+        let near = ONE_PLACE * self.body().reach();
+        (place - other).norm() <= near && (normal - up).norm() <= ONE_PLACE
     }
 
     /// True where a support may touch, were its height zero: its place is on the face or the edges, and does not leave them at their very end.

@@ -87,7 +87,7 @@ impl<'w> Walker<'w> {
         if slipping.is_empty() {
             self.state = settled(self.world, self.mode, &self.state);
         }
-        self.departing = touching.difference(self.mode.held(self.world));
+        self.departs(touching.difference(self.mode.held(self.world)));
         let rests = matches!(self.mode, BodyMode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(self.world, touching) }))
     }

@@ -123,6 +123,18 @@ impl Walker<'_> {
         Ok(self.world.distinct(near, self.state.pose()))
     }
 
+    /// Supports leave where they touch, with all that touch at the same places: where two obstacles meet one edge crosses both.
+    pub(super) fn departs(&mut self, leaving: Supports) {
+        self.departing = leaving;
+        if leaving.is_empty() || !self.world.has_pairs(leaving) {
+            return;
+        }
+        let low = TOUCHES_AT_START * self.scales.length;
+        let held = self.mode.held(self.world);
+        let beside = (0..self.world.count()).filter(|i| self.heights[*i].abs() <= low && !held.contains(*i));
+        self.departing = leaving.union(self.world.twins(leaving, beside, self.state.pose()));
+    }
+
     /// What comes of supports that touch: an impact, if one of them comes down.
     pub(in crate::spatial) fn meet(&mut self) -> Result<Option<End>, MotionError> {
         let touching = self.touching()?;
@@ -139,17 +151,23 @@ impl Walker<'_> {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let comes_down = |i: &usize| self.rise_of(*i) < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
-        if !striking.is_empty() {
-            return self.strike(touching, striking);
-        }
         // What rises touches in passing: another edge at the corner over which the body leaves, say. Where nothing slides all supports are of one plane.
         // Of a hop that is down again at once rounding has taken the height.
         let hops = if self.lasted == 0.0 { LOST_HOP } else { 1.0 };
         let faint = FAINT_STRIKE * self.scales.speed * hops;
         let slides = self.world.friction().is_some();
+        if !striking.is_empty() {
+            // Among obstacles with ends, whose gaps are measured, several that all but rest come to rest together: one after the other they would strike without end.
+            let measured = self.world.count() > self.world.of_faces();
+            let rests = |i: usize| self.rise_of(i).abs() <= faint;
+            if measured && touching.len() > 1 && touching.iter().all(rests) {
+                return self.hold(touching, None);
+            }
+            return self.strike(touching, striking);
+        }
         let grazing = free.those(|i| !slides || self.rise_of(i) <= faint);
         if grazing.is_empty() {
-            self.departing = free;
+            self.departs(free);
             return Ok(None);
         }
         self.graze(grazing, size)
@@ -173,7 +191,7 @@ impl Walker<'_> {
         let sinking = self.sinking(grazing)?;
         let held = self.mode.held(self.world);
         if sinking.is_empty() {
-            self.departing = grazing;
+            self.departs(grazing);
             Ok(None)
         } else if self.world.friction().is_some() {
             self.hold(held.union(grazing), None)

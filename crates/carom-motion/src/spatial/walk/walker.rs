@@ -236,7 +236,7 @@ impl<'w> Walker<'w> {
                 Answer { conclusion, .. } => return Ok(Some(without_way(conclusion, Clock::Motion))),
             }
         }
-        self.departing = resting.difference(held);
+        self.departs(resting.difference(held));
         self.mode = Mode::holding(world, held, self.state.pose());
         self.state = settled(world, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
