@@ -9,7 +9,7 @@
 
 use crate::paper;
 
-use carom_feeder::{Feeder, Outcome, Run, Verdict, spatial};
+use carom_feeder::{Feeder, Outcome, Plate, Run, Start, Verdict, spatial};
 use carom_motion::planar::Options;
 use carom_motion::spatial::Body;
 use carom_num::{Mat3, Vec3};
@@ -105,12 +105,37 @@ fn bar() -> spatial::Part {
     spatial::Part { body, faces: block.faces }
 }
 
+/// The same plates, as wide as needed, for a solid part that starts on its lower face.
+pub(crate) fn in_space(feeder: &Feeder, part: spatial::Part) -> spatial::Feeder {
+    let plate = |plate: &Plate| spatial::Plate {
+        name: plate.name.clone(),
+        uphill: plate.uphill,
+        edge: plate.edge,
+        width: None,
+        roll: 0.0,
+        side_walls: 0.0,
+        friction: plate.friction,
+        restitution: plate.restitution,
+        unbounded: plate.unbounded,
+    };
+    let Start { to_edge, speed, .. } = feeder.start;
+    spatial::Feeder {
+        gravity: feeder.gravity,
+        stop: feeder.stop,
+        law: feeder.law,
+        part,
+        start: spatial::Start { to_edge, aside: 0.0, turn: 0.0, speed, face: 0 },
+        plates: feeder.plates.iter().map(plate).collect(),
+        walls: vec![],
+    }
+}
+
 #[test]
 fn every_design_of_the_grid_agrees_in_space() {
     let (mut verdicts, mut spins, mut times, mut ends) = (0, 0.0_f64, 0.0_f64, 0.0_f64);
     for row in &rows() {
         let feeder = design(row, 0.001);
-        let (plane, run) = (feeder.run().unwrap(), paper::in_space(&feeder, bar()).run().unwrap());
+        let (plane, run) = (feeder.run().unwrap(), in_space(&feeder, bar()).run().unwrap());
         let strike = &run.impacts[0];
         spins =
             spins.max((strike.spin_after.norm() - row.spin_after[1].abs()).abs() / row.spin_after[1].abs());

@@ -2,7 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "how far two engines differ is a measurement")]
 
-use crate::paper;
+use crate::grid::in_space;
 use carom_feeder::spatial::{self, Exit, Wall, WallForm, examples};
 use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
@@ -79,7 +79,7 @@ impl Scene {
     fn in_space(&self, walls: Vec<Wall>) -> spatial::Feeder {
         let [x, y, z] = self.edges;
         let part = examples::block(Vec3::new(x, y, z), 0.05);
-        spatial::Feeder { walls, ..paper::in_space(&self.in_the_plane(), part) }
+        spatial::Feeder { walls, ..in_space(&self.in_the_plane(), part) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The paper's feeder: two plates, the second placed by its line in the axes of the first.
 
-use carom_feeder::{Feeder, Part, Plate, Start, Stop, spatial};
+use carom_feeder::{Feeder, Part, Plate, Start, Stop};
 use carom_impact::Law;
 use carom_num::Vec2;
 
@@ -40,31 +40,6 @@ pub(crate) fn feeder(slope_deg: f64, line: (f64, f64), thickness: f64) -> Feeder
             plate("upper", x * -0.5, Vec2::ZERO),
             plate("lower", high - down * 3.0, low + down * 3.0),
         ],
-        walls: vec![],
-    }
-}
-
-/// The same plates, as wide as needed, for a solid part that starts on its lower face.
-pub(crate) fn in_space(feeder: &Feeder, part: spatial::Part) -> spatial::Feeder {
-    let plate = |plate: &Plate| spatial::Plate {
-        name: plate.name.clone(),
-        uphill: plate.uphill,
-        edge: plate.edge,
-        width: None,
-        roll: 0.0,
-        side_walls: 0.0,
-        friction: plate.friction,
-        restitution: plate.restitution,
-        unbounded: plate.unbounded,
-    };
-    let Start { to_edge, speed, .. } = feeder.start;
-    spatial::Feeder {
-        gravity: feeder.gravity,
-        stop: feeder.stop,
-        law: feeder.law,
-        part,
-        start: spatial::Start { to_edge, aside: 0.0, turn: 0.0, speed, face: 0 },
-        plates: feeder.plates.iter().map(plate).collect(),
         walls: vec![],
     }
 }

@@ -247,7 +247,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
                 return None;
             }
             let bend = self.bend(support, &seen, (until - x) * length);
-            let least = if looks > PATIENCE { self.coarse(&bend, length) } else { LEAST_MARCH };
+            let least = self.least(&bend, length, looks);
             let aside = self.stays_aside(support, &seen, (until - x) * length);
             // Beside a face, or beyond an edge: what comes through from behind touches nothing.
             if aside > 0.0 || ends && height.value < -behind {
@@ -257,9 +257,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
                 let next = (x + (clear.max(aside) / length).max(least)).min(until);
                 if height.value > 0.0 && next > x + clear / length {
                     // While it was waited for what is beside it may come through just where it is there.
-                    let found = self.comes_through(step, support, [x, next], behind);
-                    if found.is_some() {
-                        return found;
+                    if let Some(found) = self.comes_through(step, support, [x, next], behind) {
+                        return Some(found);
                     }
                 }
                 x = next;
@@ -288,11 +287,9 @@ impl<M: Motion> Gliding<'_, '_, M> {
             let apart = self.apart(support, &seen, (until - x) * length, looks);
             let clear = height.clear(&bend).max(apart) / length;
             let next = (x + clear.max(least)).min(until);
-            if ends && height.value > 0.0 && clear < least {
-                let found = self.comes_through(step, support, [x, next], behind);
-                if found.is_some() {
-                    return found;
-                }
+            let passes = ends && height.value > 0.0 && clear < least;
+            if passes && let Some(found) = self.comes_through(step, support, [x, next], behind) {
+                return Some(found);
             }
             x = next;
         }
@@ -309,8 +306,11 @@ impl<M: Motion> Gliding<'_, '_, M> {
         self.walker.world.apart(support, &seen.moving.state, &most, spare)
     }
 
-    /// The shortest step of a march that takes long, as a part of the step that it looks at: in it what grazes a plane comes below it by no more than is told apart there.
-    fn coarse(&self, bend: &Bend, length: f64) -> f64 {
+    /// The shortest step of a march, as a part of the step that it looks at. Where it takes long, what grazes a plane comes below it in one by no more than is told apart there.
+    fn least(&self, bend: &Bend, length: f64, looks: u32) -> f64 {
+        if looks <= PATIENCE {
+            return LEAST_MARCH;
+        }
         let time = (GRAZES * self.walker.scales.length / bend.most).sqrt();
         if time.is_finite() { LEAST_MARCH.max(time / length) } else { LEAST_MARCH }
     }

@@ -157,13 +157,8 @@ impl Walker<'_> {
         let faint = FAINT_STRIKE * self.scales.speed * hops;
         let slides = self.world.friction().is_some();
         if !striking.is_empty() {
-            // Among obstacles with ends, whose gaps are measured, several that all but rest come to rest together: one after the other they would strike without end.
-            let measured = self.world.count() > self.world.of_faces();
-            let rests = |i: usize| self.rise_of(i).abs() <= faint;
-            if measured && touching.len() > 1 && touching.iter().all(rests) {
-                return self.hold(touching, None);
-            }
-            return self.strike(touching, striking);
+            let together = self.rest_together(touching, faint);
+            return if together { self.hold(touching, None) } else { self.strike(touching, striking) };
         }
         let grazing = free.those(|i| !slides || self.rise_of(i) <= faint);
         if grazing.is_empty() {
@@ -171,6 +166,12 @@ impl Walker<'_> {
             return Ok(None);
         }
         self.graze(grazing, size)
+    }
+
+    /// Among obstacles with ends, whose gaps are measured, several that all but rest come to rest together: one after the other they would strike without end.
+    fn rest_together(&self, touching: Supports, faint: f64) -> bool {
+        let measured = self.world.count() > self.world.of_faces();
+        measured && touching.len() > 1 && touching.iter().all(|i| self.rise_of(i).abs() <= faint)
     }
 
     /// A circle among these supports lies flat on its plane.
