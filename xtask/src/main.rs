@@ -46,8 +46,8 @@ cargo xtask COMMAND
                             `carom` as book/commands.txt says
   book check                compares them with what is there, and looks at the book's pages
   campaign [--share S] [--seed N] [--case N] [--out FILE]
-                            10⁸ random impacts at one contact, 10⁶ at several and 10⁵ feeders, or a share of
-                            them: what came out, the worst residuals; exits 1 where a promise broke
+                            10⁸ random impacts at one contact, 10⁶ at several and 3·10⁵ feeders, or a share
+                            of them: what came out, the worst residuals; exits 1 where a promise broke
   digest                    one digest over a fixed set of runs, which must be the same in debug and
                             release builds and on 1, 2 and 8 threads
   digest wasm               the same in the release build and by the command as WebAssembly; needs Node.js

@@ -1,4 +1,4 @@
-//! `carom-campaign [--share S] [--seed N] [--case N] [--out FILE]`: random cases by the million; 1 is 10⁸ single impacts, 10⁶ at several contacts and 2·10⁵ feeders.
+//! `carom-campaign [--share S] [--seed N] [--case N] [--out FILE]`: random cases by the million; 1 is 10⁸ single impacts, 10⁶ at several contacts and 3·10⁵ feeders.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it reports to the person who runs it")]
 
 mod chains;
@@ -6,6 +6,7 @@ mod draw;
 mod feeders;
 mod several;
 mod singles;
+mod spatial;
 mod tally;
 
 use rayon::prelude::*;
@@ -20,11 +21,12 @@ struct Kind {
     case: fn(u64, u64, &mut Tally),
 }
 
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 5] = [
     Kind { title: "Impacts at one contact", cases: 1e8, case: singles::case },
     Kind { title: "Impacts at two to four contacts", cases: 1e6, case: several::case },
     Kind { title: "Feeders", cases: 1e5, case: feeders::case },
     Kind { title: "Feeders of any outline", cases: 1e5, case: feeders::bent_case },
+    Kind { title: "Feeders of solid parts", cases: 1e5, case: spatial::case },
 ];
 
 /// Cases that a thread takes at a time: the tally of each is made once.
@@ -40,7 +42,7 @@ struct Asked {
 }
 
 const USAGE: &str = "usage: cargo xtask campaign [--share S] [--seed N] [--case N] [--out FILE]
-  --share S   of 10⁸ impacts at one contact, 10⁶ at several and 2·10⁵ feeders; above 0, at most 1000 [default: 1]
+  --share S   of 10⁸ impacts at one contact, 10⁶ at several and 3·10⁵ feeders; above 0, at most 1000 [default: 1]
   --seed N    other cases; a whole number from 0 [default: 1]
   --case N    of each kind the case of this number alone, as a page names it
   --out FILE  writes the page into a file as well";

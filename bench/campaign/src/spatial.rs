@@ -1,0 +1,224 @@
+//! Whole drops of solid parts through feeders in space.
+
+use crate::draw;
+use crate::tally::{Tally, kind_of};
+use carom_feeder::spatial::{Feeder, Part, Plate, Run, Start, Wall, WallForm};
+use carom_feeder::{RunError, Stop};
+use carom_motion::spatial::{Options, Polyhedron, State};
+use carom_num::{Vec2, Vec3};
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+/// Budgets of a run: steps, impacts, time [s].
+const BUDGET: (u64, u64, f64) = (20_000, 2_000, 30.0);
+/// Growth of energy against the largest there was.
+const CLOSE: f64 = 1e-8;
+/// Deepest overlap, in units of the part's size.
+const DEEP: f64 = 1e-9;
+/// Looks for a touch after which a drop counts as slow; a usual one takes 10⁴.
+const SLOW: u64 = 10_000_000;
+/// Points of a body are one face within this part of its size.
+const FLAT: f64 = 1e-9;
+
+/// One case: a random solid through a random feeder.
+pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
+    let rng = &mut draw::numbers(seed, number);
+    let Some(feeder) = feeder(rng) else { return tally.count("drawn: no solid") };
+    let (most_steps, most_impacts, most_time) = BUDGET;
+    let prepared = match feeder.prepare(Options { most_time, most_steps, most_impacts, ..Options::default() })
+    {
+        Ok(prepared) => prepared,
+        Err(RunError::Problems(problems)) => {
+            let crosses = problems.iter().all(|p| p.to_string().contains("crosses"));
+            return tally.count(if crosses {
+                "refused: a plate crosses the start"
+            } else {
+                "refused: out of range"
+            });
+        }
+        Err(_) => return tally.breaks("a fault before the start", number),
+    };
+    match prepared.run() {
+        Err(fault) => {
+            tally.count(format!("fault: {}", kind_of(&fault.to_string())));
+            tally.breaks("a fault of the numbers", number);
+        }
+        Ok(run) => {
+            tally.count(format!("{:?}", run.outcome));
+            tally.residual("energy gained", gained(prepared.world(), &run), CLOSE, number);
+            tally.residual("deepest overlap", deepest(&feeder, &run), DEEP, number);
+            if run.effort.event_evaluations > SLOW {
+                tally.breaks("a search without end", number);
+            }
+            if !run.end_time.is_finite() {
+                tally.breaks("a result that is no number", number);
+            }
+        }
+    }
+}
+
+/// How much energy any instant has more than one before it, in units of the largest kinetic one.
+fn gained(world: &carom_motion::spatial::World, run: &Run) -> f64 {
+    let (mut least, mut most, mut gained) = (f64::INFINITY, f64::MIN_POSITIVE, 0.0_f64);
+    for (_, _, state) in &run.samples.instants {
+        let kinetic = state.kinetic(world.body());
+        let energy = kinetic + state.potential(world);
+        most = most.max(kinetic);
+        gained = gained.max(energy - least);
+        least = least.min(energy);
+    }
+    gained / most
+}
+
+/// The deepest that the part is in a plate at any instant, in units of its size.
+fn deepest(feeder: &Feeder, run: &Run) -> f64 {
+    let body = &feeder.part.body;
+    let (size, corners) = (body.reach(), body.supports());
+    let edges = edges(&feeder.part);
+    let sheets: Vec<[Vec3; 4]> =
+        feeder.plates.iter().flat_map(|plate| plate.corners(size).into_iter().chain(plate.sides())).collect();
+    let mut deepest = 0.0_f64;
+    for (_, _, state) in &run.samples.instants {
+        let place = |i: usize| state.place(corners[i]);
+        let solid = Convex {
+            corners: (0..corners.len()).map(place).collect(),
+            edges: edges.iter().map(|[a, b]| place(*a) - place(*b)).collect(),
+            normals: feeder.part.faces.iter().map(|face| state.attitude.apply(face.normal)).collect(),
+        };
+        let near = |sheet: &&[Vec3; 4]| is_near(state, size, sheet);
+        deepest = sheets.iter().filter(near).map(|sheet| solid.depth(sheet)).fold(deepest, f64::max);
+        for wall in &feeder.walls {
+            if let WallForm::Beside { z } = wall.form {
+                let beyond = |corner: &Vec3| corner.z * z.signum() - z.abs();
+                deepest = solid.corners.iter().map(beyond).fold(deepest, f64::max);
+            }
+        }
+    }
+    deepest / size
+}
+
+/// The plane of a sheet passes through the ball about the part.
+fn is_near(state: &State, size: f64, sheet: &[Vec3; 4]) -> bool {
+    let normal = (sheet[1] - sheet[0]).cross(sheet[3] - sheet[0]);
+    normal.dot(state.centre - sheet[0]).abs() <= size * normal.norm()
+}
+
+/// The pairs of points that faces have side by side, each once.
+fn edges(part: &Part) -> Vec<[usize; 2]> {
+    let of_face = |corners: &Vec<usize>| {
+        let next = |i: usize| corners[(i + 1) % corners.len()];
+        (0..corners.len()).map(|i| [corners[i], next(i)]).collect::<Vec<_>>()
+    };
+    let all = part.faces.iter().flat_map(|face| of_face(&face.corners));
+    all.filter(|[a, b]| a < b).collect()
+}
+
+/// A convex solid in its place.
+struct Convex {
+    corners: Vec<Vec3>,
+    edges: Vec<Vec3>,
+    normals: Vec<Vec3>,
+}
+
+impl Convex {
+    /// How far a sheet has to be moved at least to leave it; 0 where it is beside it. By the axes along which two convex bodies can be apart.
+    fn depth(&self, sheet: &[Vec3; 4]) -> f64 {
+        let sides = [sheet[1] - sheet[0], sheet[3] - sheet[0]];
+        let crossed = self.edges.iter().flat_map(|edge| sides.map(|side| edge.cross(side)));
+        let own = self.normals.iter().copied().chain([sides[0].cross(sides[1])]);
+        let mut least = f64::INFINITY;
+        for axis in own.chain(crossed).filter_map(Vec3::unit) {
+            let range = |points: &[Vec3]| {
+                let along = points.iter().map(|point| axis.dot(*point - sheet[0]));
+                along.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+            };
+            let ([a, b], [c, d]) = (range(&self.corners), range(sheet));
+            least = least.min((b - c).min(d - a));
+            if least <= 0.0 {
+                return 0.0;
+            }
+        }
+        least
+    }
+}
+
+/// A box, a tetrahedron, a prism or the hull of some points.
+fn solid(rng: &mut Pcg64) -> Option<Part> {
+    let size = draw::across(rng, 2e-3, 0.1);
+    let mut point = |half: Vec3| {
+        let [x, y, z] = [half.x, half.y, half.z].map(|half| draw::between(rng, -half, half));
+        Vec3::new(x, y, z)
+    };
+    let cube = Vec3::new(size, size, size);
+    let cloud: Vec<Vec3> = (0..9).map(|_| point(cube)).collect();
+    let points = match rng.random_range(0..4) {
+        0 => {
+            let [x, y, z] = [0; 3].map(|_: i32| size * draw::across(rng, 0.02, 1.0));
+            let sign = |bit: usize| if bit == 0 { -1.0 } else { 1.0 };
+            (0..8).map(|i: usize| Vec3::new(sign(i & 1) * x, sign(i & 2) * y, sign(i & 4) * z)).collect()
+        }
+        1 => cloud[..4].to_vec(),
+        2 => {
+            let (sides, high) = (rng.random_range(3..9), size * draw::across(rng, 0.02, 3.0));
+            let corner = |i: u32| {
+                let at = Vec2::at_angle(std::f64::consts::TAU * f64::from(i / 2) / f64::from(sides));
+                Vec3::new(size * at.x, size * at.y, if i.is_multiple_of(2) { -high } else { high })
+            };
+            (0..2 * sides).map(corner).collect()
+        }
+        _ => cloud,
+    };
+    let hull = Polyhedron::of_points(&points, FLAT).ok()?;
+    Part::of(&hull, &hull.solid().ok()?, 7850.0).ok()
+}
+
+/// Two to four plates that zigzag, with a roll, ends and side walls now and then, and now and then a groove.
+fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
+    let part = solid(rng)?;
+    let size = part.body.reach();
+    let (mut plates, mut place) = (vec![], Vec2::ZERO);
+    for i in 0..rng.random_range(2..5) {
+        let slope = draw::between(rng, 2.0, if i == 0 { 50.0 } else { 30.0 });
+        let side = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let down = Vec2::at_angle(-slope.to_radians());
+        let down = Vec2::new(side * down.x, down.y);
+        let uphill = place - down * (size * draw::between(rng, 4.0, 12.0));
+        let edge = if i == 0 { place } else { place + down * (size * draw::between(rng, 0.5, 10.0)) };
+        let width = rng.random_bool(0.7).then(|| size * draw::between(rng, 2.2, 6.0));
+        plates.push(Plate {
+            name: format!("p{i}"),
+            uphill,
+            edge,
+            width,
+            roll: if rng.random_bool(0.5) { draw::between(rng, -0.2, 0.2) } else { 0.0 },
+            side_walls: if width.is_some() && rng.random_bool(0.5) {
+                size * draw::between(rng, 0.2, 2.0)
+            } else {
+                0.0
+            },
+            friction: draw::friction(rng),
+            restitution: draw::restitution(rng).min(0.95),
+            unbounded: false,
+        });
+        place = edge
+            + Vec2::new(side * size * draw::between(rng, 0.5, 3.0), -size * draw::between(rng, 1.0, 10.0));
+    }
+    let groove = size * draw::between(rng, 1.1, 3.0);
+    let walls = if rng.random_bool(0.2) { vec![-groove, groove] } else { vec![] };
+    let beside = |(i, z): (usize, f64)| Wall {
+        name: format!("w{i}"),
+        form: WallForm::Beside { z },
+        friction: draw::friction(rng),
+        restitution: draw::restitution(rng).min(0.95),
+    };
+    let walls = walls.into_iter().enumerate().map(beside).collect();
+    let start = Start {
+        to_edge: size * draw::between(rng, 1.1, 3.5),
+        aside: if rng.random_bool(0.5) { size * draw::between(rng, -0.3, 0.3) } else { 0.0 },
+        turn: if rng.random_bool(0.7) { draw::between(rng, -3.2, 3.2) } else { 0.0 },
+        speed: draw::between(rng, 0.0, 1.0),
+        face: rng.random_range(0..part.faces.len()),
+    };
+    let stop = if rng.random_bool(0.5) { Stop::Landed } else { Stop::Delivered };
+    Some(Feeder { gravity: 9.81, stop, law: draw::law(rng), part, start, plates, walls })
+}
