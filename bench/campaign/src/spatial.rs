@@ -4,7 +4,7 @@ use crate::draw;
 use crate::tally::{Tally, kind_of};
 use carom_feeder::spatial::{Feeder, Part, Plate, Run, Start, Wall, WallForm};
 use carom_feeder::{RunError, Stop};
-use carom_motion::spatial::{Options, Polyhedron, State};
+use carom_motion::spatial::{Options, Polyhedron, State, World};
 use carom_num::{Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -57,10 +57,18 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     }
 }
 
-/// How much energy any instant has more than one before it, in units of the largest kinetic one.
-fn gained(world: &carom_motion::spatial::World, run: &Run) -> f64 {
+/// How much energy any instant has more than one before it, in units of the largest kinetic one. Where a series of impacts is closed, the friction of its last ones is
+/// taken back, and works again until the limit: until then nothing is compared.
+fn gained(world: &World, run: &Run) -> f64 {
     let (mut least, mut most, mut gained) = (f64::INFINITY, f64::MIN_POSITIVE, 0.0_f64);
-    for (_, _, state) in &run.samples.instants {
+    let (mut closings, mut until) = (run.closings.iter().peekable(), 0.0);
+    for (time, _, state) in &run.samples.instants {
+        while let Some(closing) = closings.next_if(|closing| closing.time <= *time) {
+            until = closing.limit.max(until);
+        }
+        if *time < until {
+            continue;
+        }
         let kinetic = state.kinetic(world.body());
         let energy = kinetic + state.potential(world);
         most = most.max(kinetic);
