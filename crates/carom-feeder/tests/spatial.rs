@@ -7,6 +7,7 @@ use carom_feeder::spatial::{self, Exit, Wall, WallForm, examples};
 use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
 };
+use carom_motion::spatial::Polyhedron;
 use carom_num::elementary::{atan2, sin_cos, tan};
 use carom_num::{Rotation, Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
@@ -198,6 +199,27 @@ fn side_walls_keep_a_part_on_its_plate() {
         ..feeder
     };
     assert_ne!(free.run().unwrap().end, run.end, "without walls it goes over the side");
+}
+
+/// Two of its edges cross the end of the plate as a corner runs off: where the uphill corner lifts off, the second edge, which has carried nothing, takes its load.
+#[test]
+fn tetrahedra_without_friction_leave_their_plates() {
+    let corners = [[-15.4, 2.8, 23.4], [-22.8, -17.8, 9.8], [-13.2, 14.4, -14.3], [22.9, -19.0, 3.7]];
+    let corners = corners.map(|[x, y, z]| Vec3::new(x, y, z) * 1e-3);
+    let hull = Polyhedron::of_points(&corners, 1e-9).unwrap();
+    let part = spatial::Part::of(&hull, &hull.solid().unwrap(), 7850.0).unwrap();
+    for case in 0..24_u32 {
+        let mut feeder = examples::two_plates();
+        feeder.part = part.clone();
+        feeder.start.face = usize::try_from(case % 4).unwrap();
+        feeder.start.turn = f64::from(case / 4);
+        feeder.stop = Stop::Delivered;
+        for plate in &mut feeder.plates {
+            plate.friction = 0.0;
+        }
+        let run = feeder.run_untraced().unwrap();
+        assert_eq!(run.outcome, Outcome::Delivered, "{case}");
+    }
 }
 
 #[test]

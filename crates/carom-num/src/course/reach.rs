@@ -163,9 +163,12 @@ pub(super) fn reach<C: Course>(
         if !correction.is_finite() || correction.abs() <= LAST_DIGIT * (clock + length) {
             break;
         }
+        // It was found after the start, where the function is zero too, but for rounding: the digits that are left lead back there.
+        if place > 0.0 && correction <= -length {
+            return (place, course.step_to(step, place));
+        }
         if smooth && correction.abs() <= STRAIGHT * step.length {
-            let by = correction.max(-length);
-            return (length + by, shifted(course, &end, by));
+            return (length + correction, shifted(course, &end, correction));
         }
         before = Some((length, value));
         let next = (length + correction).max(0.0);

@@ -7,7 +7,7 @@ use crate::spatial::geometry::clear::Outlook;
 use crate::spatial::geometry::posture::{Bend, Height, Moving, Posture};
 use crate::spatial::terms::Overturning;
 use crate::tolerance::{
-    BESIDE, CORRECTION_ROUNDING, GRAZES, LEAST_MARCH, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED,
+    BESIDE, CORRECTION_ROUNDING, GRAZES, LEAST_MARCH, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED, STILL_ACCELERATION,
 };
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
@@ -166,9 +166,10 @@ impl<M: Motion> Gliding<'_, '_, M> {
     ) -> Option<Found<Event>> {
         let until = first.map_or(1.0, |found| found.at);
         let from = if self.departing.contains(support) {
+            let rounding = STILL_ACCELERATION * self.walker.world.gravity().norm();
             let mut bend = |x: f64| {
                 let Place { at, moving, .. } = self.place(step, x);
-                let second = self.height_of(support, &at, &moving).second;
+                let second = self.height_of(support, &at, &moving).second + rounding;
                 // At the very start it may be zero, but for rounding.
                 [if x == 0.0 { second.max(0.0) } else { second }]
             };
@@ -276,11 +277,12 @@ impl<M: Motion> Gliding<'_, '_, M> {
                 }
                 if !later {
                     let roots = roots.map(|end| end.min(reach));
-                    let at = root_between(roots, length, &mut |x| self.look(step, support, x));
+                    // What is below its plane by rounding may have come there before.
+                    let at = root_between(roots, length, &mut |x| self.look(step, support, x)).max(x);
                     if at >= until || self.is_within(step, support, at) {
                         return (at < until).then_some(Found::at(at, Event::Touches(support)));
                     }
-                    x = at.max(x) + least;
+                    x = at + least;
                     continue;
                 }
             }

@@ -191,12 +191,7 @@ impl<'w> Walker<'w> {
         which: Option<usize>,
         held: Supports,
     ) -> Result<Option<End>, MotionError> {
-        let now = self.state;
-        self.state = self.ahead(SLIPS_AHEAD * self.scales.time)?;
-        self.effort.questions += 1;
-        let answer = self.ask_rough(held);
-        self.state = now;
-        let (conclusion, way) = answer?;
+        let (conclusion, way) = self.asked_ahead(held)?;
         if conclusion == Conclusion::Several && self.options.choice == Choice::End {
             return Ok(Some(End::Several(Clock::Motion)));
         }
@@ -229,6 +224,27 @@ impl<'w> Walker<'w> {
                 Some(one) => self.hold_rough(held, Some(one)),
                 None => self.strike_unapproached(held),
             },
+        }
+    }
+
+    /// What the rate problem says a moment later, if the mode goes on until then.
+    fn asked_ahead(&mut self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
+        let now = self.state;
+        self.state = self.ahead(SLIPS_AHEAD * self.scales.time)?;
+        self.effort.questions += 1;
+        let answer = self.ask_rough(asked);
+        self.state = now;
+        answer
+    }
+
+    /// Enters the mode that supports have a moment later: at the instant itself one has just lost its force, and another has none yet.
+    pub(super) fn hold_ahead(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
+        match self.asked_ahead(touching)? {
+            (Conclusion::Several, _) if self.options.choice == Choice::End => {
+                Ok(Some(End::Several(Clock::Motion)))
+            }
+            (_, Some(carries)) => self.enter(carries, touching),
+            (_, None) => self.hold_rough(touching, None),
         }
     }
 

@@ -88,7 +88,7 @@ impl Walker<'_> {
         // An impact stops slips as well: only without one, in a world where nothing may slide, is a slip at the start an error.
         let slides = slides.filter(|_| self.world.friction().is_none());
         match slides {
-            _ if strikes => self.meet(),
+            _ if strikes => self.meet(Supports::NONE),
             Some((support, speed)) => Err(MotionError::Slides { support, speed }),
             None if self.lies_flat(resting) => Ok(Some(End::Flat { touching: resting })),
             None => self.hold(self.world.distinct(resting, self.state.pose()), None),
@@ -135,8 +135,9 @@ impl Walker<'_> {
         self.departing = leaving.union(self.world.twins(leaving, beside, self.state.pose()));
     }
 
-    /// What comes of supports that touch: an impact, if one of them comes down.
-    pub(in crate::spatial) fn meet(&mut self) -> Result<Option<End>, MotionError> {
+    /// What comes of supports that touch: an impact, if one of them comes down. `found` are those that were found to touch. They may be at the end of their face, and
+    /// beyond it by rounding: then they leave.
+    pub(in crate::spatial) fn meet(&mut self, found: Supports) -> Result<Option<End>, MotionError> {
         let touching = self.touching()?;
         if self.lies_flat(touching) {
             return Ok(Some(End::Flat { touching }));
@@ -145,7 +146,7 @@ impl Walker<'_> {
         let free = touching.difference(held);
         if free.is_empty() {
             // What has come down is where something else is held.
-            self.departing = self.near().difference(held);
+            self.departing = self.near().union(found).difference(held);
             return Ok(None);
         }
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
@@ -165,7 +166,7 @@ impl Walker<'_> {
             self.departs(free);
             return Ok(None);
         }
-        self.graze(grazing, size)
+        self.graze(grazing, found, size)
     }
 
     /// Among obstacles with ends, whose gaps are measured, several that all but rest come to rest together: one after the other they would strike without end.
@@ -188,9 +189,13 @@ impl Walker<'_> {
 
     /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
     /// held; if one moves along the plane it comes down the next instant, which is an impact.
-    fn graze(&mut self, grazing: Supports, size: f64) -> Result<Option<End>, MotionError> {
+    fn graze(&mut self, grazing: Supports, found: Supports, size: f64) -> Result<Option<End>, MotionError> {
         let sinking = self.sinking(grazing)?;
         let held = self.mode.held(self.world);
+        // It was found to sink, a moment from now: it is only then that the law tells who is held.
+        if sinking.is_empty() && self.world.has_pairs(grazing.those(|i| found.contains(i))) {
+            return self.hold_ahead(held.union(grazing));
+        }
         if sinking.is_empty() {
             self.departs(grazing);
             Ok(None)

@@ -187,7 +187,7 @@ impl<'w> Walker<'w> {
             return Ok(Some(End::Stopped));
         }
         Ok(match self.glide()? {
-            Stop::Event(Event::Touches(_)) => self.meet()?,
+            Stop::Event(Event::Touches(support)) => self.meet(Supports::one(support))?,
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
             Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
             Stop::Event(Event::Gives) => self.slips_apart(None, self.mode.held(self.world))?,
