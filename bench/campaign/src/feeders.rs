@@ -83,27 +83,13 @@ fn judge(feeder: Option<Feeder>, rng: &mut Pcg64, number: u64, tally: &mut Tally
     let Some(feeder) = feeder else { return tally.breaks("a part that is none", number) };
     let tolerance = if rng.random_bool(0.5) { 1e-11 } else { 1e-6 };
     let options = Options { tolerance, most_events: BUDGET.0, most_time: BUDGET.1 };
-    let prepared = match feeder.prepare(options) {
-        Ok(prepared) => prepared,
-        Err(RunError::Problems(problems)) => {
-            let crosses = problems.iter().all(|p| p.to_string().contains("crosses"));
-            return tally.count(if crosses {
-                "refused: a plate crosses the start"
-            } else {
-                "refused: out of range"
-            });
-        }
-        Err(_) => return tally.breaks("a fault before the start", number),
-    };
+    let Some(prepared) = ready(feeder.prepare(options), number, tally) else { return };
     let body = &feeder.part.body;
     let low = feeder.plates.iter().map(|p| p.edge.y).fold(0.0, f64::min) - body.shape.size();
     let (mass, inertia, gravity) = (body.mass, body.inertia, feeder.gravity);
     let mut ledger = Ledger { mass, inertia, gravity, floor: low, ..Ledger::default() };
     match prepared.observed(&mut ledger) {
-        Err(fault) => {
-            tally.count(format!("fault: {}", kind_of(&fault.to_string())));
-            tally.breaks("a fault of the numbers", number);
-        }
+        Err(fault) => faulty(&fault, number, tally),
         Ok(run) => {
             tally.count(format!("{:?}", run.outcome));
             // Energy may grow by what the integration's tolerance leaves, and by no more.
@@ -116,6 +102,26 @@ fn judge(feeder: Option<Feeder>, rng: &mut Pcg64, number: u64, tally: &mut Tally
             }
         }
     }
+}
+
+/// A feeder that is ready to run; `None` where it is refused, which is counted.
+pub(crate) fn ready<P>(prepared: Result<P, RunError>, number: u64, tally: &mut Tally) -> Option<P> {
+    match prepared {
+        Ok(prepared) => return Some(prepared),
+        Err(RunError::Problems(problems)) => {
+            let crosses = problems.iter().all(|p| p.to_string().contains("crosses"));
+            let why = if crosses { "a plate crosses the start" } else { "out of range" };
+            tally.count(format!("refused: {why}"));
+        }
+        Err(_) => tally.breaks("a fault before the start", number),
+    }
+    None
+}
+
+/// A run ends without an answer.
+pub(crate) fn faulty(fault: &RunError, number: u64, tally: &mut Tally) {
+    tally.count(format!("fault: {}", kind_of(&fault.to_string())));
+    tally.breaks("a fault of the numbers", number);
 }
 
 /// Two to four plates that zigzag, walls now and then; slopes to 89.9°, now and then nearly parallel to each other.

@@ -1,9 +1,10 @@
 //! Whole drops of solid parts through feeders in space.
 
 use crate::draw;
-use crate::tally::{Tally, kind_of};
+use crate::feeders::{faulty, ready};
+use crate::tally::Tally;
+use carom_feeder::Stop;
 use carom_feeder::spatial::{Feeder, Part, Plate, Run, Start, Wall, WallForm};
-use carom_feeder::{RunError, Stop};
 use carom_motion::spatial::{Options, Polyhedron, State, World};
 use carom_num::{Vec2, Vec3};
 use rand::RngExt;
@@ -25,24 +26,10 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     let rng = &mut draw::numbers(seed, number);
     let Some(feeder) = feeder(rng) else { return tally.count("drawn: no solid") };
     let (most_steps, most_impacts, most_time) = BUDGET;
-    let prepared = match feeder.prepare(Options { most_time, most_steps, most_impacts, ..Options::default() })
-    {
-        Ok(prepared) => prepared,
-        Err(RunError::Problems(problems)) => {
-            let crosses = problems.iter().all(|p| p.to_string().contains("crosses"));
-            return tally.count(if crosses {
-                "refused: a plate crosses the start"
-            } else {
-                "refused: out of range"
-            });
-        }
-        Err(_) => return tally.breaks("a fault before the start", number),
-    };
+    let options = Options { most_time, most_steps, most_impacts, ..Options::default() };
+    let Some(prepared) = ready(feeder.prepare(options), number, tally) else { return };
     match prepared.run() {
-        Err(fault) => {
-            tally.count(format!("fault: {}", kind_of(&fault.to_string())));
-            tally.breaks("a fault of the numbers", number);
-        }
+        Err(fault) => faulty(&fault, number, tally),
         Ok(run) => {
             tally.count(format!("{:?}", run.outcome));
             tally.residual("energy gained", gained(prepared.world(), &run), CLOSE, number);

@@ -152,15 +152,15 @@ impl Walker<'_> {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let comes_down = |i: &usize| self.rise_of(*i) < -GRAZING_SPEED * size;
         let striking: Supports = free.iter().filter(comes_down).collect();
-        // What rises touches in passing: another edge at the corner over which the body leaves, say. Where nothing slides all supports are of one plane.
         // Of a hop that is down again at once rounding has taken the height.
         let hops = if self.lasted == 0.0 { LOST_HOP } else { 1.0 };
         let faint = FAINT_STRIKE * self.scales.speed * hops;
-        let slides = self.world.friction().is_some();
         if !striking.is_empty() {
             let together = self.rest_together(touching, faint);
             return if together { self.hold(touching, None) } else { self.strike(touching, striking) };
         }
+        // What rises touches in passing: another edge at the corner over which the body leaves, say. Where nothing slides all supports are of one plane.
+        let slides = self.world.friction().is_some();
         let grazing = free.those(|i| !slides || self.rise_of(i) <= faint);
         if grazing.is_empty() {
             self.departs(free);
@@ -192,11 +192,11 @@ impl Walker<'_> {
     fn graze(&mut self, grazing: Supports, found: Supports, size: f64) -> Result<Option<End>, MotionError> {
         let sinking = self.sinking(grazing)?;
         let held = self.mode.held(self.world);
-        // It was found to sink, a moment from now: it is only then that the law tells who is held.
-        if sinking.is_empty() && self.world.has_pairs(grazing.those(|i| found.contains(i))) {
-            return self.hold_ahead(held.union(grazing));
-        }
         if sinking.is_empty() {
+            // It was found to sink, a moment from now: it is only then that the law tells who is held.
+            if self.world.has_pairs(grazing.those(|i| found.contains(i))) {
+                return self.hold_ahead(held.union(grazing));
+            }
             self.departs(grazing);
             Ok(None)
         } else if self.world.friction().is_some() {
