@@ -237,6 +237,15 @@ impl<'w> Walker<'w> {
         answer
     }
 
+    /// Those that the motion draws down a moment later: now they may have no acceleration yet.
+    pub(super) fn sinking_ahead(&mut self, beside: Supports) -> Result<Supports, MotionError> {
+        let now = self.state;
+        self.state = self.ahead(SLIPS_AHEAD * self.scales.time)?;
+        let sinking = self.sinking(beside);
+        self.state = now;
+        sinking
+    }
+
     /// Enters the mode that supports have a moment later: at the instant itself one has just lost its force, and another has none yet.
     pub(super) fn hold_ahead(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
         match self.asked_ahead(touching)? {

@@ -230,7 +230,7 @@ impl Walker<'_> {
     }
 
     /// Those that the motion draws down.
-    fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
+    pub(super) fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
         if matches!(self.mode, Mode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
             return Ok(self.drawn_down(&sliding, &first, grazing));

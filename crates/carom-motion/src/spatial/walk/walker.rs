@@ -246,7 +246,19 @@ impl<'w> Walker<'w> {
     /// The normal force of a held support has fallen to zero: the support is let go if there is a way on without it. There is none where the other
     /// supports, or nothing, would let it sink: a force along the plane has kept it up, and only sliding could end that.
     fn let_go(&mut self, support: usize) -> Result<Option<End>, MotionError> {
-        self.hold(self.mode.held(self.world), Some(support))
+        let held = self.mode.held(self.world);
+        let beside = self.flush().common(self.touching()?);
+        let end = self.hold(held, Some(support))?;
+        if end.is_some() || beside.is_empty() || self.world.friction().is_none() {
+            return Ok(end);
+        }
+        // What lies flush beside those that were held takes the load over from now on, or departs with it.
+        let sinking = self.sinking_ahead(beside)?;
+        if !sinking.is_empty() {
+            return self.hold_ahead(self.mode.held(self.world).union(sinking));
+        }
+        self.departing = self.departing.union(beside);
+        Ok(None)
     }
 }
 
