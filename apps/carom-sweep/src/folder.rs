@@ -89,9 +89,12 @@ impl<'s> Folder<'s> {
 
     /// Lets others in; where nobody else is at work no lock file is left.
     pub(crate) fn close(self) {
-        // It stays where steps are left in it.
-        let _ = std::fs::remove_dir(self.path.join(UNFINISHED));
-        self.locks.into_iter().for_each(Lock::release);
+        let [own, whole] = self.locks;
+        own.release(|| {});
+        // It stays where steps are left in it. Another shard may be about to write one.
+        whole.release(|| {
+            let _ = std::fs::remove_dir(self.path.join(UNFINISHED));
+        });
     }
 
     /// How who asks takes another folder.
@@ -361,5 +364,29 @@ fn remove(path: &Path) -> Result<(), StudyError> {
     match disk::remove(path) {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(disk::undone("remove", path, &error)),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+    use super::*;
+
+    /// One shard may come to its end between the moment at which another has made the folder of steps and that at which it writes one.
+    #[test]
+    fn the_folder_of_steps_stays_while_another_shard_is_at_work() {
+        let place = std::env::temp_dir().join(format!("carom-shards-{}", std::process::id()));
+        let open = |shard| {
+            Folder::open(place.clone(), "{}", (shard, 2), (false, Asker::Command), Box::new(|_| {})).unwrap()
+        };
+        let (first, second) = (open(0), open(1));
+        let steps = place.join(UNFINISHED);
+        disk::make_folder(&steps).unwrap();
+        first.close();
+        assert!(steps.is_dir());
+        second.close();
+        assert!(!steps.exists());
+        std::fs::remove_dir_all(place).unwrap();
     }
 }

@@ -32,19 +32,15 @@ impl Lock {
         }
     }
 
-    /// Removes the file, unless others hold it as well.
-    #[cfg(unix)]
-    pub(crate) fn release(self) {
+    /// Lets go of it. Where nobody else holds it, `tidy` is done first, and the file is removed; a file that is open is removed on Unix alone.
+    pub(crate) fn release(self, tidy: impl FnOnce()) {
         if self.file.try_lock().is_ok() {
-            // A lock file that stays is in nobody's way.
-            let _ = disk::remove(&self.path);
+            tidy();
+            if cfg!(unix) {
+                // A lock file that stays is in nobody's way.
+                let _ = disk::remove(&self.path);
+            }
         }
-    }
-
-    /// Lets go of it; a file that is open stays.
-    #[cfg(not(unix))]
-    pub(crate) fn release(self) {
-        drop((self.path, self.file));
     }
 }
 
