@@ -2,7 +2,7 @@
 
 use super::gliding::Gliding;
 use super::motion::{Event, Motion};
-use crate::evaluated::{Quantity, evaluated};
+use crate::evaluated::{Quantity, evaluated, watched};
 use crate::spatial::geometry::clear::Outlook;
 use crate::spatial::geometry::posture::{Bend, Height, Moving, Posture};
 use crate::spatial::terms::Overturning;
@@ -119,16 +119,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
 
     /// The first event within a step.
     pub(super) fn event_in(&mut self, step: &Step<M::Y>) -> Option<Found<Event>> {
-        let mut first: Option<Found<Event>> = None;
         self.places.clear();
-        for event in self.smooth_events() {
-            let mut of = |x: f64| {
-                let Place { y, at, .. } = self.place(step, x);
-                [self.value_at(&event, &y, &at)]
-            };
-            let fall = first_fall(&mut of).map(|fall| Found::at(fall.at, event));
-            first = earlier(first, fall);
-        }
+        let mut first = self.first_of_smooth(step);
         first = first.map(|found| placed(self, step, found.event, found.at));
         let behind = BESIDE * self.walker.scales.length;
         for obstacle in 0..self.walker.world.obstacle_count() {
@@ -146,6 +138,27 @@ impl<M: Motion> Gliding<'_, '_, M> {
                 }
                 first = self.touch_of(step, (support, near), first).or(first);
             }
+        }
+        first
+    }
+
+    /// The first fall of a smooth event. Forces do not exist where all places that carry come together: where something ends the mode before, none is lost.
+    fn first_of_smooth(&mut self, step: &Step<M::Y>) -> Option<Found<Event>> {
+        let (mut first, mut without) = (None, f64::INFINITY);
+        let (_, lost) = watched(|| {
+            for event in self.smooth_events() {
+                let mut of = |x: f64| {
+                    let Place { y, at, .. } = self.place(step, x);
+                    let value = self.value_at(&event, &y, &at);
+                    without = if value.is_nan() { x.min(without) } else { without };
+                    [value]
+                };
+                let fall = first_fall(&mut of).map(|fall| Found::at(fall.at, event));
+                first = earlier(first, fall);
+            }
+        });
+        if lost && !first.is_some_and(|found: Found<Event>| found.at < without) {
+            evaluated(Quantity::Event, f64::NAN);
         }
         first
     }
