@@ -180,9 +180,8 @@ fn feet_that_carry_nothing_do_not_decide_how_others_share() {
 }
 
 /// A bar in an inclined V groove of a right angle: each side carries √½ of what presses it in, and it starts to slide along the groove with
-/// `g (sin α − √2 μ cos α)`, all of its contacts together.
-#[test]
-fn a_bar_starts_to_slide_along_a_groove() {
+/// `g (sin α − √2 μ cos α)`, all of its contacts together, however many they are.
+fn starts_along_a_groove<const N: usize>() {
     let (friction, slope) = (0.05, 0.5);
     let c = 0.5_f64.sqrt();
     let body = RigidBody {
@@ -191,31 +190,67 @@ fn a_bar_starts_to_slide_along_a_groove() {
         velocity: Vec3::ZERO,
         spin: Vec3::ZERO,
     };
-    let touch = |[side, y]: [f64; 2]| Touch {
-        arm: Vec3::new(0.1 * side * c, y, -0.1 * c),
-        normal: Vec3::new(-side * c, 0.0, c),
-        friction,
-        restitution: 0.0,
-    };
-    let places = [[1.0, -0.5], [-1.0, -0.5], [1.0, 0.0], [-1.0, 0.0], [1.0, 0.5], [-1.0, 0.5]];
-    let set: ContactSet<6> = ContactSet::of_free_body(&body, &places.map(touch)).unwrap();
+    let touches: [Touch; N] = std::array::from_fn(|k| {
+        let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let y = f64::from(u32::try_from(k / 2).unwrap()) / f64::from(u32::try_from(N / 2 - 1).unwrap()) - 0.5;
+        let arm = Vec3::new(0.1 * side * c, y, -0.1 * c);
+        Touch { arm, normal: Vec3::new(-side * c, 0.0, c), friction, restitution: 0.0 }
+    });
+    let set: ContactSet<N> = ContactSet::of_free_body(&body, &touches).unwrap();
+    set.check().unwrap();
     let (sin, cos) = sin_cos(slope);
     let weight = Vec3::new(0.0, sin, -cos) * 9.81;
     let problem = RateProblem {
-        count: 6,
+        count: N,
         operator: &set.operator,
         friction: &set.friction,
         drive: set.frame.map(|frame| frame * weight),
-        slip: [[0.0; 2]; 6],
-        load: [Load::Touching(0.0); 6],
+        slip: [[0.0; 2]; N],
+        load: [Load::Touching(0.0); N],
     };
     let answer = problem.solve_first();
     assert_eq!(answer.count, 1, "{answer:?}");
     let solution = answer.solutions[0].unwrap();
-    assert_eq!(solution.guess.map(|g| g.mode), [Mode::Starts; 6], "all of it slides");
+    assert_eq!(solution.guess.map(|g| g.mode), [Mode::Starts; N], "all of it slides");
     let expected = 9.81 * (sin - 2.0_f64.sqrt() * friction * cos);
     for (i, response) in solution.response.iter().enumerate() {
         let along = (set.frame[i].transposed() * *response).y;
         assert!((along - expected).abs() < 1e-12, "contact {i}: {along} instead of {expected}");
+    }
+}
+
+#[test]
+fn a_bar_starts_to_slide_along_a_groove() {
+    starts_along_a_groove::<6>();
+    starts_along_a_groove::<8>();
+    starts_along_a_groove::<10>();
+    starts_along_a_groove::<16>();
+}
+
+/// A bar that strikes a groove with five feet on each side, askew and turning, comes to a motion in which none of them approaches.
+#[test]
+fn many_feet_strike_a_groove() {
+    let c = 0.5_f64.sqrt();
+    for case in 0..6_u32 {
+        let part = |n: u32| f64::from((case + 1) * n % 101) / 101.0 - 0.5;
+        let body = RigidBody {
+            mass: 1.0,
+            inertia: Mat3::diagonal(0.09, 0.02, 0.1),
+            velocity: Vec3::new(0.3 * part(37), 2.0 * part(13), -1.0),
+            spin: Vec3::new(part(29), part(71), part(53)),
+        };
+        let touches: Vec<Touch> = (0..10)
+            .map(|k| {
+                let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+                let (along, up) = (0.25 * f64::from(k / 2) - 0.5, 0.02 * f64::from(k * k % 7));
+                let arm = Vec3::new((0.1 + up) * side * c, along, (up - 0.1) * c);
+                Touch { arm, normal: Vec3::new(-side * c, 0.0, c), friction: 0.3, restitution: 0.2 }
+            })
+            .collect();
+        let set = ContactSet::<10>::of_free_body(&body, &touches).unwrap();
+        let out = staged::resolve(&set, Law::Poisson).unwrap();
+        for (i, after) in set.after(&out.impulse).iter().take(10).enumerate() {
+            assert!(after.z > -1e-9, "{case}: contact {i} approaches with {}", after.z);
+        }
     }
 }

@@ -3,15 +3,12 @@
 use super::bodies::Meeting;
 use crate::ImpactError;
 use crate::error::outside;
-use crate::tolerance::{INERTIA_EQUALITY, RANK, UNIT_LENGTH};
+use crate::tolerance::{INERTIA_EQUALITY, UNIT_LENGTH};
 use carom_num::principal::principal;
-use carom_num::solve::dot;
-use carom_num::{Basis, Mat3, Vec3};
+use carom_num::{Mat3, Vec3};
 
 /// Most contacts of which every hypothesis is tried.
 pub const MOST_EXAMINED: usize = 16;
-/// Most of them where they are not on one plane.
-const MOST_APART: usize = 8;
 
 /// A free rigid body at one instant.
 ///
@@ -245,17 +242,12 @@ impl<const N: usize> ContactSet<N> {
     /// Whether the set can be resolved at all.
     ///
     /// # Errors
-    /// [`ImpactError::TooMany`] above [`MOST_EXAMINED`] contacts; [`ImpactError::OutsideDomain`] names more than eight contacts that are not on one plane,
-    /// and the first number that is not finite, friction < 0,
+    /// [`ImpactError::TooMany`] above [`MOST_EXAMINED`] contacts; [`ImpactError::OutsideDomain`] names the first number that is not finite, friction < 0,
     /// restitution outside 0…1, or the first contact whose own response is not positive.
     pub fn check(&self) -> Result<(), ImpactError> {
         let most = MOST_EXAMINED.min(N);
         if self.count > most {
             return Err(ImpactError::TooMany { count: self.count, most });
-        }
-        if self.count > MOST_APART && !self.is_of_one_plane() {
-            let count = u32::try_from(self.count).map_or(f64::INFINITY, f64::from);
-            return Err(outside(None, "number of contacts on several planes", count, "at most 8"));
         }
         for i in 0..self.count {
             let refuse = |quantity, value, allowed| Err(outside(Some(i), quantity, value, allowed));
@@ -280,19 +272,6 @@ impl<const N: usize> ContactSet<N> {
             }
         }
         Ok(())
-    }
-
-    /// True where the normal velocities of all contacts are those of a plane.
-    fn is_of_one_plane(&self) -> bool {
-        let row = |i: usize| -> [f64; N] {
-            std::array::from_fn(|j| if j < self.count { self.operator[i][j].rows[2].z } else { 0.0 })
-        };
-        let largest = (0..self.count).map(|i| dot(&row(i), &row(i)).sqrt()).fold(0.0, f64::max);
-        let mut basis = Basis::NONE;
-        (0..self.count).for_each(|i| {
-            basis.take(row(i), RANK * largest);
-        });
-        basis.axes().len() <= 3
     }
 
     /// Sets to zero each normal velocity and each slip that is smaller than `relative` times the largest velocity of the set: the rounding of contacts

@@ -12,8 +12,10 @@ use carom_num::{Basis, Vec3};
 
 /// After so many guesses of which contacts are lifted every set of them is tried.
 const MOST_GUESSES: usize = 8;
-/// Of so many contacts every set is tried, of more those that a plane can leave.
+/// Of so many contacts every set is tried, and of more where they are on several planes; of more on one plane those that it can leave.
 const MOST_IN_ALL_SETS: usize = 8;
+/// Contacts of one plane sink in as one: by a depth and two turns.
+const PLANE: usize = 3;
 
 /// The springs of a hypothesis.
 pub(super) struct Springs<'u, const M: usize> {
@@ -156,8 +158,9 @@ impl<const M: usize> Springs<'_, M> {
     fn sets(&self) -> Vec<u32> {
         let of = self.unknowns.of().iter().enumerate().filter(|(_, (_, axis))| *axis == 2);
         let holding: Vec<(usize, u32)> = of.map(|(k, (i, _))| (k, 1 << i)).collect();
-        if holding.len() > MOST_IN_ALL_SETS {
-            return self.beyond_lines(&holding);
+        let planes = self.planes();
+        if holding.len() > MOST_IN_ALL_SETS && planes.axes().len() <= PLANE {
+            return self.beyond_lines(&planes, &holding);
         }
         let with =
             |sets: Vec<u32>, (_, bit): &(usize, u32)| sets.iter().flat_map(|set| [*set, set | bit]).collect();
@@ -166,21 +169,26 @@ impl<const M: usize> Springs<'_, M> {
         sets
     }
 
-    /// The sets of lifted contacts that a plane which sinks in can leave: those on one side of a line. A line that parts them can be moved until it goes
-    /// through two contacts. Each contact that holds is given by its unknown and its bit.
-    fn beyond_lines(&self, holding: &[(usize, u32)]) -> Vec<u32> {
+    /// How far the contacts that hold may sink in together.
+    fn planes(&self) -> Basis<M> {
         let normal: [f64; M] = self.unknowns.each(|(_, of)| if of == 2 { 1.0 } else { 0.0 });
-        let mut planes = Basis::<M>::NONE;
+        let mut planes = Basis::NONE;
         for axis in self.basis.axes() {
             planes.take(std::array::from_fn(|k| axis[k] * normal[k]), RANK);
         }
+        planes
+    }
+
+    /// The sets of lifted contacts that a plane which sinks in can leave: those on one side of a line. A line that parts them can be moved until it goes
+    /// through two contacts. Each contact that holds is given by its unknown and its bit.
+    fn beyond_lines(&self, planes: &Basis<M>, holding: &[(usize, u32)]) -> Vec<u32> {
         let part = |axis: usize, k: usize| planes.axes().get(axis).map_or(0.0, |axis| axis[k]);
         let places: Vec<(Vec3, u32)> =
             holding.iter().map(|&(k, bit)| (Vec3::new(part(0, k), part(1, k), part(2, k)), bit)).collect();
         let lines: Vec<Vec3> = match planes.axes().len() {
             // Of contacts in a row those before one of them and those behind it.
             2 => places.iter().map(|(at, _)| Vec3::Z.cross(*at)).collect(),
-            3 => {
+            PLANE => {
                 let before = |n: usize| places[..n].iter();
                 let pairs =
                     places.iter().enumerate().flat_map(|(n, one)| before(n).map(move |other| (one, other)));

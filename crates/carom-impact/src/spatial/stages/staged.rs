@@ -195,8 +195,8 @@ const MOST_HALVINGS: u32 = 40;
 /// hold than a body has freedoms, they share as equal springs do (`freedom` says so). A slip that starts smoothly, at a contact that comes to
 /// the edge of its cone while others turn, is followed to about 1e-8. Contacts with normals far apart and friction above 1 may hold each other, or
 /// hand the load to each other without end: then the walk is refused. On one plane an impact of six contacts that all
-/// start to slip takes some hundredths of a second, of sixteen about one, at worst tens of seconds; on several planes each further contact makes the
-/// work three to four times as large, and six take seconds.
+/// start to slip takes some hundredths of a second, of sixteen about one, at worst tens of seconds; on two
+/// planes eight take a tenth of a second, and sixteen two.
 ///
 /// # Example
 /// A rod of 1 kg and 1 m falls flat on two supports at its ends with 1 m/s while it spins about the vertical with 3 rad/s. Both ends slip with 1.5

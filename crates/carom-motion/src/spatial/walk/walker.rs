@@ -80,7 +80,7 @@ pub(super) struct Walker<'w> {
 /// Without friction impacts are plastic; each says how much friction it needs, and where no motion without sliding is consistent the run ends.
 ///
 /// With friction, more supports than determine their forces carry the body as equal springs do: where
-/// a body turns while it slides on four supports or more, its motion depends on that. At most sixteen supports of one plane touch at once, eight of several; a
+/// a body turns while it slides on four supports or more, its motion depends on that. At most sixteen supports touch at once; a
 /// point in a corner is one of each plane. A place that is a corner, an edge and a face at once counts once. A contact is between the ends of its face or its edges up to 1e-12 of the
 /// reach. A slip below 1e-11 of the world's speed is rest. Closed series keep the friction of their impulses to first order in what is left of them. Where friction lets no motion go on
 /// (Painlevé's paradox) there is an impact without approach, or else, by name, no consistent outcome; so ends a run too whose impact the walk of
