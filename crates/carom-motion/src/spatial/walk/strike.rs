@@ -217,10 +217,10 @@ impl Walker<'_> {
         let striking = touching.difference(held);
         let striking: Supports =
             striking.iter().filter(|i| self.rise_of(*i) < -GRAZING_SPEED * size).collect();
-        if !striking.is_empty() {
+        let faint = FAINT_STRIKE * self.scales.speed;
+        if !striking.is_empty() && !self.rest_together(touching, faint) {
             return self.strike(touching, striking);
         }
-        let faint = FAINT_STRIKE * self.scales.speed;
         let stays = |i: &usize| held.contains(*i) || self.rise_of(*i) <= faint;
         let end = self.hold(touching.iter().filter(stays).collect(), None)?;
         if !self.mode.held(self.world).contains(support) {
