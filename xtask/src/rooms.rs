@@ -28,6 +28,7 @@ const HOUSES: [House; 5] = [
             "faults",
             "law",
             "load",
+            "subsets",
             "tolerance",
             "Faults",
             "ImpactError",

@@ -8,6 +8,7 @@ mod law;
 mod load;
 pub mod planar;
 pub mod spatial;
+mod subsets;
 mod tolerance;
 
 pub use error::ImpactError;

@@ -86,6 +86,8 @@ pub(crate) const STAGE_ZERO: f64 = 1e-13;
 pub(crate) const AT_REST: f64 = 1e-12;
 /// Terms that are one over this times the fastest motion before hide it [1]: one rounding of them leaves less than four digits of the motion.
 pub(crate) const DROWNED: f64 = 1e-12;
+/// Contacts that are driven in, or approach, as fast as each other up to this fraction do so together [1].
+pub(crate) const AS_FAST: f64 = 1e-9;
 /// Velocities below this fraction of all that was added to them are rest where no way on is consistent [1]. A hundred times more generous than
 /// [`AT_REST`]: else the walk would be refused for what is rounding of a wedge.
 pub(crate) const REST_IN_PARADOX: f64 = 1e-10;

@@ -29,6 +29,7 @@ mod spatial_four_feet;
 mod spatial_keeping;
 mod spatial_limits;
 mod spatial_order;
+mod spatial_paradox;
 mod spatial_rates;
 mod spatial_shares;
 mod spatial_single;

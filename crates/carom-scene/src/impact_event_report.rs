@@ -87,12 +87,12 @@ pub enum ForcedKind {
     FastestFirst,
 }
 
-/// The contact that is loaded alone in a stage that no consistent hypothesis says.
+/// The contact that is loaded in a stage that no consistent hypothesis says.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ForcedReport {
     /// Why it is that one.
     pub kind: ForcedKind,
-    /// Its name.
+    /// Its name; of several that are alike, and loaded together, the first.
     pub contact: Option<String>,
 }
 

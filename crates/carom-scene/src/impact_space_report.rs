@@ -205,7 +205,7 @@ fn stage_report(
     });
     let left_out = rejected.len().saturating_sub(MOST_REJECTED_OF_A_STAGE);
     rejected.truncate(MOST_REJECTED_OF_A_STAGE);
-    let forced = impact_space::ground(names, stage.ground);
+    let forced = impact_space::ground(names, stage.ground, &stage.clocks);
     let contacts = (0..set.count).map(|i| {
         contact(
             problem,

@@ -62,16 +62,20 @@ pub fn refused<T: AsRef<str>>(names: &[T], refusal: Refusal, amount: f64) -> Str
     }
 }
 
-/// Why a stage is walked that no consistent hypothesis says; `None` where one does.
-pub fn ground<T: AsRef<str>>(names: &[T], ground: Ground) -> Option<String> {
+/// Why a stage is walked that no consistent hypothesis says; `None` where one does. `clocks` are the contacts that are loaded in it.
+pub fn ground<T: AsRef<str>>(names: &[T], ground: Ground, clocks: &[bool]) -> Option<String> {
+    let of: Vec<&str> =
+        names.iter().zip(clocks).filter(|(_, clock)| **clock).map(|(name, _)| name.as_ref()).collect();
+    let (all, several) = (of.join(" and "), of.len() > 1);
+    let (are, approach) = if several { ("they are", "approach") } else { ("it is", "approaches") };
     match ground {
         Ground::Consistent => None,
-        Ground::DrivenIn(i) => Some(format!(
-            "friction drives {} in (Painlevé's paradox): it is loaded until a slip stops",
-            named(names, i)
-        )),
-        Ground::FastestFirst(i) => {
-            Some(format!("{} approaches fastest and is loaded first", named(names, i)))
+        Ground::DrivenIn(_) => {
+            Some(format!("friction drives {all} in (Painlevé's paradox): {are} loaded until a slip stops"))
+        }
+        Ground::FastestFirst(_) => {
+            let are = if several { "are" } else { "is" };
+            Some(format!("{all} {approach} fastest and {are} loaded first"))
         }
     }
 }

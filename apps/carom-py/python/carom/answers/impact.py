@@ -55,10 +55,10 @@ ForcedKind = Literal["driven_in", "fastest_first"]
 
 @dataclass(frozen=True, kw_only=True)
 class Forced:
-    """The contact that is loaded alone in a stage that no consistent hypothesis says."""
+    """The contact that is loaded in a stage that no consistent hypothesis says."""
 
     contact: str | None = None
-    """Its name."""
+    """Its name; of several that are alike, and loaded together, the first."""
     kind: ForcedKind
     """Why it is that one."""
 

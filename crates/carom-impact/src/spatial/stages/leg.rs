@@ -238,10 +238,9 @@ impl<'a, const N: usize> Leg<'a, N> {
                 if zero { 0.0 } else { u + by }
             };
             let mut v = Vec3::new(sum(u.x, by[i].x), sum(u.y, by[i].y), sum(u.z, by[i].z));
-            let forced = matches!(self.goal, Goal::Approach(clock) if clock == i);
             if self.guess[i].holds {
                 v.z = sum(u.z, -self.drive[i].z * clock);
-            } else if u.z == 0.0 && !forced {
+            } else if u.z == 0.0 && !self.may_sink(i) {
                 // But for the slack that a hypothesis is allowed, what opens does not sink in.
                 v.z = v.z.max(0.0);
             }
@@ -320,6 +319,11 @@ impl<'a, const N: usize> Leg<'a, N> {
                 first
             }
         }
+    }
+
+    /// This contact is loaded because friction drives it in.
+    pub(super) fn may_sink(&self, i: usize) -> bool {
+        matches!((self.goal, self.load[i]), (Goal::Approach(_), Load::Prescribed(_)))
     }
 
     /// What the clock of the whole phase is.

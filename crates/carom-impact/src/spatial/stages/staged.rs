@@ -41,7 +41,7 @@ pub enum Ground {
     /// A hypothesis is consistent.
     Consistent,
     /// Friction drives this contact in (Painlevé's paradox): no hypothesis is consistent, or none along the slips as they are ends the approach, and it is the
-    /// clock until a slip stops.
+    /// clock until a slip stops, with those that are like it, or with those that it drives in and that drive it in.
     DrivenIn(usize),
     /// No hypothesis is consistent, though friction drives no contact in by itself: the one that approaches fastest is loaded first.
     FastestFirst(usize),
@@ -66,6 +66,8 @@ pub struct Stage<const N: usize> {
     pub drive: [Vec3; N],
     /// How each contact takes part in that problem.
     pub load: [Load; N],
+    /// The contacts that are loaded whatever their normal velocities do, the one that [`Ground`] names and those that are like it; none where a hypothesis is consistent.
+    pub clocks: [bool; N],
     /// Why it is walked. Unless this is [`Ground::Consistent`], the rate problem at its start has no consistent hypothesis.
     pub ground: Ground,
 }

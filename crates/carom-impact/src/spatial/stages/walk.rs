@@ -188,12 +188,8 @@ impl<'a, const N: usize> Walk<'a, N> {
             None => (*leg, now),
         };
         let straight = leg.is_straight(&now);
-        let walked = if straight {
-            let Some(walked) = leg.go_straight(&from, &now) else { return Ok(None) };
-            walked
-        } else {
-            leg.go_curved(&from, &now)?
-        };
+        let walked = if straight { leg.go_straight(&from, &now) } else { Some(leg.go_curved(&from, &now)?) };
+        let Some(walked) = walked else { return Ok(None) };
         // Wedged contacts press each other without end, and velocities drown in rounding.
         let pressed = |i: usize| (walked.place.at.impulse[i] - from.at.impulse[i]).norm();
         let added: f64 = self.contacts().map(|i| self.largest_response * pressed(i)).sum();
@@ -239,6 +235,7 @@ impl<'a, const N: usize> Walk<'a, N> {
             straight,
             drive,
             load,
+            clocks: std::array::from_fn(|i| leg.may_sink(i)),
             ground,
         });
         Ok(Some(walked))
@@ -258,7 +255,7 @@ impl<'a, const N: usize> Walk<'a, N> {
     pub(super) fn compress(&mut self, observe: &mut impl FnMut(&Stage<N>)) -> Result<(), ImpactError> {
         // Contacts that only touch may be driven in by friction: then the paradox's contact starts the walk.
         if self.contacts().all(|i| self.normal(i) >= 0.0) {
-            if self.driven_in(false).is_none() {
+            if !self.is_driven_in() {
                 return Ok(());
             }
             self.without_approach = true;

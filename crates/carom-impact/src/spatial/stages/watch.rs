@@ -99,11 +99,8 @@ impl<const N: usize> Curve<'_, N> {
         let mut out = [1.0; OF_CONTACT];
         let start = self.start.at.velocity[i].z;
         if !guess.holds && start >= 0.0 {
-            out[0] = match leg.goal {
-                // The contact that is the clock may be driven in.
-                Goal::Approach(forced) if forced == i => 1.0,
-                _ => normal / leg.fastest,
-            };
+            // What is loaded in the paradox may be driven in.
+            out[0] = if leg.may_sink(i) { 1.0 } else { normal / leg.fastest };
         }
         if guess.holds {
             let base = match leg.load[i] {

@@ -24,7 +24,7 @@ impl Walker<'_> {
         touching: Supports,
         striking: Supports,
     ) -> Result<Option<End>, MotionError> {
-        let answer = self.blow(touching, 0.0)?;
+        let answer = self.blow(touching, None)?;
         self.struck(touching, striking, answer)
     }
 
@@ -67,7 +67,7 @@ impl Walker<'_> {
             &[]
         };
         for press in std::iter::once(&0.0).chain(pressed) {
-            let answer = self.blow(touching, *press)?;
+            let answer = self.blow(touching, Some(*press))?;
             if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
                 return self.struck(touching, Supports::NONE, answer);
             }
@@ -75,9 +75,9 @@ impl Walker<'_> {
         Ok(Some(no_motion()))
     }
 
-    /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. Supports that are held
-    /// approach at `press`, in units of the motion's speeds.
-    fn blow(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
+    /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. `press` is given
+    /// where friction forces the impact: supports that are held approach at it, in units of the motion's speeds.
+    fn blow(&self, touching: Supports, press: Option<f64>) -> Result<Answer, MotionError> {
         match touching.len() {
             0..=2 => self.blow_sized::<2>(touching, press),
             3..=4 => self.blow_sized::<4>(touching, press),
@@ -87,7 +87,11 @@ impl Walker<'_> {
         }
     }
 
-    fn blow_sized<const N: usize>(&self, touching: Supports, press: f64) -> Result<Answer, MotionError> {
+    fn blow_sized<const N: usize>(
+        &self,
+        touching: Supports,
+        press: Option<f64>,
+    ) -> Result<Answer, MotionError> {
         let law = self
             .world
             .friction()
@@ -97,14 +101,21 @@ impl Walker<'_> {
         let held = self.mode.held(self.world);
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
         for (k, _) in touching.iter().enumerate().filter(|(_, i)| held.contains(*i)) {
-            set.velocity[k].z = -press * size;
+            set.velocity[k].z = -press.unwrap_or(0.0) * size;
         }
-        // A bounce from here is lower than what heights are told from zero by: it would be struck down again before it has risen.
-        let fastest = set.velocity.iter().take(touching.len()).map(|u| -u.z).fold(0.0, f64::max);
-        if fastest <= FAINT_STRIKE * self.scales.speed {
+        // A bounce from here may be lower than what heights are told from zero by: it would be struck down again before it has risen. Where friction forces the impact it need not be.
+        let faint = FAINT_STRIKE * self.scales.speed;
+        let fastest = |speeds: &[Vec3; N], way: f64| {
+            speeds.iter().take(touching.len()).map(|u| way * u.z).fold(0.0, f64::max)
+        };
+        let resolved = |set: &_| staged::resolve_preferring(set, law, self.options.choice.preference());
+        let mut found = resolved(&set);
+        let returns = found.as_ref().is_ok_and(|out| fastest(&out.velocity, 1.0) > faint);
+        if fastest(&set.velocity, -1.0) <= faint && !(press.is_some() && returns) {
             set.restitution = [0.0; N];
+            found = resolved(&set);
         }
-        let out = match staged::resolve_preferring(&set, law, self.options.choice.preference()) {
+        let out = match found {
             Ok(out) => out,
             // An impact that comes to no end is physics, not a fault: the law has no way on, and the run ends by saying so.
             Err(ImpactError::Jammed | ImpactError::Circling { .. } | ImpactError::Unending { .. }) => {
