@@ -86,7 +86,14 @@ fn what_is_drawn_is_checked_as_a_whole() {
     let aside = problems(&BAR.replace("[start]", "[start]\naside = \"40 mm\"")).to_string();
     assert!(aside.contains("start.aside") && aside.contains("half the first plate's width"), "{aside}");
     let groove = problems(&format!("groove = {{ width = \"19 mm\" }}\n{BAR}")).to_string();
-    assert!(groove.contains("groove.width") && groove.contains("crosses the part"), "{groove}");
+    assert!(groove.contains("groove.width: 19 mm is too narrow: the part takes 20 mm across"), "{groove}");
+    let walled = BAR.replace("turn = ", "# ").replacen(
+        "width = \"60 mm\"",
+        "width = \"18 mm\"\nside_walls = \"2 mm\"",
+        1,
+    );
+    let walled = problems(&walled).to_string();
+    assert!(walled.contains("plate.upper.width: 18 mm is too narrow: the part takes 20 mm"), "{walled}");
     let wanted = problems(&BAR.replace("want = \"turned\"", "want = 6")).to_string();
     assert!(wanted.contains("plate.lower.want"), "{wanted}");
 }

@@ -48,6 +48,11 @@ pub fn headline_in_space(feeder: &spatial::Feeder, run: &spatial::Run) -> Headli
         Some(jam) => jammed(feeder, jam),
         // What holds it, friction or another plate, is not asked.
         None if run.outcome == Outcome::Stuck => "it has come to rest there".to_owned(),
+        None if run.outcome == Outcome::Escaped
+            && run.landings.last().is_some_and(|landing| landing.plate + 1 == feeder.plates.len()) =>
+        {
+            "it lay flat on the last plate and left it, but not over its free edge".to_owned()
+        }
         None => why(run.outcome).to_owned(),
     };
     let plate = plate.map(|plate| obstacle(feeder, plate));

@@ -181,6 +181,23 @@ impl Feeder {
         }
     }
 
+    /// How wide the first plate must be between its side walls for the part where it starts \[m\].
+    pub fn width_at_start(&self) -> f64 {
+        let first = self.plates.first().and_then(|plate| Some((plate.edge, plate.axes()?.across)));
+        first.map_or(0.0, |(edge, across)| self.between_at_start(Vec3::new(edge.x, edge.y, 0.0), across))
+    }
+
+    /// The same of a groove, whose middle is the plane of the drawing \[m\].
+    pub fn groove_at_start(&self) -> f64 {
+        self.between_at_start(Vec3::ZERO, Vec3::Z)
+    }
+
+    fn between_at_start(&self, middle: Vec3, across: Vec3) -> f64 {
+        let start = self.start_state();
+        let beside = |point: &Vec3| (start.place(*point) - middle).dot(across).abs();
+        2.0 * self.part.body.supports().iter().map(beside).fold(0.0, f64::max)
+    }
+
     /// All that is wrong with the numbers.
     fn problems(&self) -> Vec<FeederProblem> {
         let mut found = Findings::default();

@@ -64,7 +64,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
     if problems.is_empty() {
         let found = feeder.prepare(Options::default()).err();
         let found = found.into_iter().flat_map(|found| engine_problems(found, drawn));
-        problems.extend(found.map(|problem| placed_in_file(problem, drawing)));
+        problems.extend(found.map(|problem| placed_in_file(problem, drawing, &feeder)));
     }
     if !problems.is_empty() {
         return Err(problems);
@@ -126,11 +126,26 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
 }
 
 /// A problem of the whole by the key that it comes from, with the value as it is written.
-fn placed_in_file(problem: Problem, drawing: &Drawing) -> Problem {
+fn placed_in_file(problem: Problem, drawing: &Drawing, feeder: &Feeder) -> Problem {
+    let narrow = |path: &str, width: &Quantity, least: f64| {
+        let show = |value| Dimension::Length.show(value);
+        let (own, least) = (show(width.value), show(least));
+        let message = format!("{own} is too narrow: the part takes {least} across where it starts");
+        Problem::new(ProblemKind::Geometry, path, message, width.span.clone())
+    };
     if problem.path == "wall.front wall" || problem.path == "wall.back wall" {
-        let span = drawing.groove.as_ref().and_then(|groove| groove.width.span.clone());
-        let message = "is too narrow: a wall crosses the part where it starts";
-        return Problem::new(ProblemKind::Geometry, "groove.width", message, span);
+        let groove = drawing.groove.as_ref();
+        return groove
+            .map_or(problem, |groove| narrow("groove.width", &groove.width, feeder.groove_at_start()));
+    }
+    // The part lies on its plate: what crosses it there is a side wall.
+    let first = drawing.plates.first().filter(|first| problem.path == format!("plate.{}", first.name));
+    let walled = first.filter(|first| problem.kind == ProblemKind::Geometry && first.side_walls.is_some());
+    if let Some((width, least)) =
+        walled.and_then(|first| Some((first.width.as_ref()?, feeder.width_at_start())))
+        && least >= width.value
+    {
+        return narrow(&format!("{}.width", problem.path), width, least);
     }
     let quantities = quantities(drawing);
     let Some(of) = quantities.iter().find(|quantity| quantity.path == problem.path) else { return problem };
