@@ -49,8 +49,9 @@ let marked = false;
 
 function told(error: unknown, tried: string): void {
   const words = error instanceof Error ? error.message : String(error);
-  const died = error instanceof EngineDied ? "The engine stopped and was started again; the scene is as it was. " : "";
-  failure.value = { ...PAGE(died + words), tried };
+  const died = error instanceof EngineDied;
+  const said = died ? `The engine was started again, and the scene is as it was: ${words}.` : words;
+  failure.value = { ...PAGE(said), tried };
 }
 
 /** Takes an answer about a scene: shows it, or says what is wrong. */

@@ -75,7 +75,7 @@ export class Engine {
     if (stops !== this.stops) throw new EngineDied("stopped");
     const id = this.next++;
     return new Promise((resolve, reject) => {
-      const late = Number.isFinite(most) ? setTimeout(() => this.stop("it did not answer"), most) : undefined;
+      const late = Number.isFinite(most) ? setTimeout(() => this.stop(`it did not answer within ${most / 1000} s`), most) : undefined;
       const done = () => clearTimeout(late);
       this.waiting.set(id, {
         resolve: (reply) => (done(), resolve(reply)),
