@@ -249,7 +249,7 @@ fn many_feet_strike_a_groove() {
             .collect();
         let set = ContactSet::<10>::of_free_body(&body, &touches).unwrap();
         let out = staged::resolve(&set, Law::Poisson).unwrap();
-        for (i, after) in set.after(&out.impulse).iter().take(10).enumerate() {
+        for (i, after) in set.after(&out.impulse).iter().enumerate() {
             assert!(after.z > -1e-9, "{case}: contact {i} approaches with {}", after.z);
         }
     }

@@ -158,9 +158,11 @@ impl<const M: usize> Springs<'_, M> {
     fn sets(&self) -> Vec<u32> {
         let of = self.unknowns.of().iter().enumerate().filter(|(_, (_, axis))| *axis == 2);
         let holding: Vec<(usize, u32)> = of.map(|(k, (i, _))| (k, 1 << i)).collect();
-        let planes = self.planes();
-        if holding.len() > MOST_IN_ALL_SETS && planes.axes().len() <= PLANE {
-            return self.beyond_lines(&planes, &holding);
+        if holding.len() > MOST_IN_ALL_SETS {
+            let planes = self.planes();
+            if planes.axes().len() <= PLANE {
+                return self.beyond_lines(&planes, &holding);
+            }
         }
         let with =
             |sets: Vec<u32>, (_, bit): &(usize, u32)| sets.iter().flat_map(|set| [*set, set | bit]).collect();

@@ -109,13 +109,11 @@ impl Walker<'_> {
             speeds.iter().take(touching.len()).map(|u| way * u.z).fold(0.0, f64::max)
         };
         let resolved = |set: &_| staged::resolve_preferring(set, law, self.options.choice.preference());
-        let mut found = resolved(&set);
-        let returns = found.as_ref().is_ok_and(|out| fastest(&out.velocity, 1.0) > faint);
-        if fastest(&set.velocity, -1.0) <= faint && !(press.is_some() && returns) {
+        let returns = || resolved(&set).is_ok_and(|out| fastest(&out.velocity, 1.0) > faint);
+        if fastest(&set.velocity, -1.0) <= faint && !(press.is_some() && returns()) {
             set.restitution = [0.0; N];
-            found = resolved(&set);
         }
-        let out = match found {
+        let out = match resolved(&set) {
             Ok(out) => out,
             // An impact that comes to no end is physics, not a fault: the law has no way on, and the run ends by saying so.
             Err(ImpactError::Jammed | ImpactError::Circling { .. } | ImpactError::Unending { .. }) => {

@@ -229,21 +229,20 @@ impl<'w> Walker<'w> {
 
     /// What the rate problem says a moment later, if the mode goes on until then.
     fn asked_ahead(&mut self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
-        let now = self.state;
-        self.state = self.ahead(SLIPS_AHEAD * self.scales.time)?;
         self.effort.questions += 1;
-        let answer = self.ask_rough(asked);
-        self.state = now;
-        answer
+        self.a_moment_later(|walker| walker.ask_rough(asked))
     }
 
-    /// Those that the motion draws down a moment later: now they may have no acceleration yet.
-    pub(super) fn sinking_ahead(&mut self, beside: Supports) -> Result<Supports, MotionError> {
+    /// Asks something a moment later, if the mode goes on until then.
+    pub(super) fn a_moment_later<T>(
+        &mut self,
+        ask: impl FnOnce(&Self) -> Result<T, MotionError>,
+    ) -> Result<T, MotionError> {
         let now = self.state;
         self.state = self.ahead(SLIPS_AHEAD * self.scales.time)?;
-        let sinking = self.sinking(beside);
+        let answer = ask(self);
         self.state = now;
-        sinking
+        answer
     }
 
     /// Enters the mode that supports have a moment later: at the instant itself one has just lost its force, and another has none yet.

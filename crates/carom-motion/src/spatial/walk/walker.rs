@@ -247,13 +247,16 @@ impl<'w> Walker<'w> {
     /// supports, or nothing, would let it sink: a force along the plane has kept it up, and only sliding could end that.
     fn let_go(&mut self, support: usize) -> Result<Option<End>, MotionError> {
         let held = self.mode.held(self.world);
+        if self.world.friction().is_none() {
+            return self.hold(held, Some(support));
+        }
         let beside = self.flush().common(self.touching()?);
         let end = self.hold(held, Some(support))?;
-        if end.is_some() || beside.is_empty() || self.world.friction().is_none() {
+        if end.is_some() || beside.is_empty() {
             return Ok(end);
         }
-        // What lies flush beside those that were held takes the load over from now on, or departs with it.
-        let sinking = self.sinking_ahead(beside)?;
+        // What lies flush beside those that were held takes the load over from now on, or departs with it: now it may have no acceleration yet.
+        let sinking = self.a_moment_later(|walker| walker.sinking(beside))?;
         if !sinking.is_empty() {
             return self.hold_ahead(self.mode.held(self.world).union(sinking));
         }
