@@ -64,18 +64,18 @@ pub fn refused<T: AsRef<str>>(names: &[T], refusal: Refusal, amount: f64) -> Str
 
 /// Why a stage is walked that no consistent hypothesis says; `None` where one does. `clocks` are the contacts that are loaded in it.
 pub fn ground<T: AsRef<str>>(names: &[T], ground: Ground, clocks: &[bool]) -> Option<String> {
-    let of: Vec<&str> =
-        names.iter().zip(clocks).filter(|(_, clock)| **clock).map(|(name, _)| name.as_ref()).collect();
-    let (all, several) = (of.join(" and "), of.len() > 1);
-    let (are, approach) = if several { ("they are", "approach") } else { ("it is", "approaches") };
+    let loaded = names.iter().zip(clocks).filter(|(_, clock)| **clock);
+    let loaded: Vec<&str> = loaded.map(|(name, _)| name.as_ref()).collect();
+    let (all, several) = (loaded.join(" and "), loaded.len() > 1);
     match ground {
         Ground::Consistent => None,
         Ground::DrivenIn(_) => {
+            let are = if several { "they are" } else { "it is" };
             Some(format!("friction drives {all} in (Painlevé's paradox): {are} loaded until a slip stops"))
         }
         Ground::FastestFirst(_) => {
-            let are = if several { "are" } else { "is" };
-            Some(format!("{all} {approach} fastest and {are} loaded first"))
+            let are = if several { "approach fastest and are" } else { "approaches fastest and is" };
+            Some(format!("{all} {are} loaded first"))
         }
     }
 }

@@ -141,10 +141,8 @@ fn placed_in_file(problem: Problem, drawing: &Drawing, feeder: &Feeder) -> Probl
     // The part lies on its plate: what crosses it there is a side wall.
     let first = drawing.plates.first().filter(|first| problem.path == format!("plate.{}", first.name));
     let walled = first.filter(|first| problem.kind == ProblemKind::Geometry && first.side_walls.is_some());
-    if let Some((width, least)) =
-        walled.and_then(|first| Some((first.width.as_ref()?, feeder.width_at_start())))
-        && least >= width.value
-    {
+    let least = feeder.width_at_start();
+    if let Some(width) = walled.and_then(|first| first.width.as_ref()).filter(|width| least >= width.value) {
         return narrow(&format!("{}.width", problem.path), width, least);
     }
     let quantities = quantities(drawing);
