@@ -82,6 +82,10 @@ pub(crate) const WEIGHTLESS: f64 = 1e-9;
 pub(crate) const MODE_CONTRADICTION: f64 = 1e-3;
 /// Pivots of a mode's equations below this fraction of the matrix count as zero: contacts that say the same (in space too).
 pub(crate) const MODE_RANK: f64 = 1e-9;
+/// What is left of a support's push is nothing new below this fraction of its square: rounding.
+pub(crate) const NOTHING_NEW: f64 = 1e-16;
+/// What takes rounding back is at most so many times as large as it.
+pub(crate) const STEEPEST: f64 = 1e5;
 /// How near to Painlevé's edge, scaled, a motion comes whose normal force grows without bound.
 pub(crate) const PAINLEVE_EDGE: f64 = 1e-6;
 /// Forces that a mode leaves open are known up to this, in units of the weight: a contact that just transmits none still holds.

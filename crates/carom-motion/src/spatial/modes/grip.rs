@@ -1,7 +1,7 @@
 //! What supports that carry a body do to it, each sticking or sliding in a direction that is known.
 
 use crate::spatial::geometry::body::Body;
-use crate::tolerance::MODE_RANK;
+use crate::tolerance::{MODE_RANK, NOTHING_NEW, STEEPEST};
 use carom_impact::spatial::MOST_EXAMINED;
 use carom_num::solve::{dot, solve_regular};
 use carom_num::{Basis, Vec3};
@@ -72,10 +72,83 @@ pub(in crate::spatial) struct Grip<'a> {
 struct Push {
     of: usize,
     force: Vec3,
+    /// About the mass centre.
+    moment: Vec3,
     linear: Vec3,
     angular: Vec3,
     /// Along what its support must not move.
     axis: Vec3,
+}
+
+impl Push {
+    /// So many times as much of it.
+    fn scaled(&self, by: f64) -> Self {
+        let Self { of, axis, .. } = *self;
+        let [force, moment] = [self.force, self.moment].map(|v| v * by);
+        let [linear, angular] = [self.linear, self.angular].map(|v| v * by);
+        Self { of, force, moment, linear, angular, axis }
+    }
+
+    /// What is left of it without these, which are of size one and square to each other; twice, for the rounding of the first time.
+    fn left(&self, axes: &[Self]) -> Self {
+        let mut left = *self;
+        for axis in axes.iter().chain(axes) {
+            let share = left.force.dot(axis.linear) + left.moment.dot(axis.angular);
+            left = left.with(axis, -share);
+        }
+        left
+    }
+
+    /// The square of its size, by the body's own mass.
+    fn square(&self) -> f64 {
+        self.force.dot(self.linear) + self.moment.dot(self.angular)
+    }
+
+    /// What it moves supports by, along what each of these must not move.
+    fn does(&self, pushes: &[Self]) -> Vec<f64> {
+        let along = |of: &Self| of.force.dot(self.linear) + of.moment.dot(self.angular);
+        pushes.iter().map(along).collect()
+    }
+
+    /// The same with so much of another one.
+    fn with(&self, other: &Self, share: f64) -> Self {
+        Self {
+            force: self.force + other.force * share,
+            moment: self.moment + other.moment * share,
+            linear: self.linear + other.linear * share,
+            angular: self.angular + other.angular * share,
+            ..*self
+        }
+    }
+}
+
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The axes along which pushes are to bring what they are short of: of size one and square to each other, without those along which rounding would be multiplied.
+fn reconciled(pushes: &[Push], short: &[f64]) -> Vec<Push> {
+    let worst = pushes.iter().zip(short).map(|(push, short)| short.abs() / push.square().sqrt());
+    let most = STEEPEST * worst.fold(0.0, f64::max);
+    let (mut axes, mut gone): (Vec<Push>, Vec<f64>) = (vec![], vec![0.0; pushes.len()]);
+    let mut open: Vec<usize> = (0..pushes.len()).collect();
+    loop {
+        // The one with the most that is new comes first.
+        let left = open.iter().enumerate().map(|(place, k)| (place, *k, pushes[*k].left(&axes)));
+        let next = left.max_by(|a, b| a.2.square().total_cmp(&b.2.square()));
+        let Some((place, k, left)) = next.filter(|n| n.2.square() > NOTHING_NEW * pushes[n.1].square())
+        else {
+            return axes;
+        };
+        open.remove(place);
+        let size = left.square().sqrt();
+        let share = (short[k] - gone[k]) / size;
+        if share.abs() <= most {
+            let axis = left.scaled(1.0 / size);
+            gone.iter_mut().zip(axis.does(pushes)).for_each(|(gone, does)| *gone += share * does);
+            axes.push(axis);
+        }
+    }
 }
 
 impl Grip<'_> {
@@ -88,6 +161,32 @@ impl Grip<'_> {
     /// The same, where the drives are what rounding has left of supports that move: what no forces could take away of them is left.
     pub(in crate::spatial) fn corrections(&self) -> Option<Reactions> {
         self.answer(false)
+    }
+
+    /// The least change of velocity and spin, by the body's own mass, after which no support moves along the normal and none that sticks moves at all: what takes
+    /// back the rounding of its drives. It has no friction.
+    ///
+    /// Supports that almost say the same contradict each other by rounding, and what would reconcile them is no rounding any more: the one that asks for it is left as it is.
+    pub(in crate::spatial) fn taken_back(&self) -> (Vec3, Vec3) {
+        let pushes = self.pushes();
+        let short: Vec<f64> = pushes.iter().map(|of| -self.bearings[of.of].drive.dot(of.axis)).collect();
+        let (mut velocity, mut spin) = (Vec3::ZERO, Vec3::ZERO);
+        let mut square: Vec<(Vec<f64>, Push)> = vec![];
+        for axis in reconciled(&pushes, &short) {
+            let (mut own, mut does) = (axis, axis.does(&pushes));
+            for (other, by) in &square {
+                let share = product(&does, other);
+                does.iter_mut().zip(other).for_each(|(a, b)| *a -= share * b);
+                own = own.with(by, -share);
+            }
+            let scale = 1.0 / product(&does, &does).sqrt();
+            does.iter_mut().for_each(|a| *a *= scale);
+            let (own, share) = (own.scaled(scale), product(&does, &short));
+            velocity += own.linear * share;
+            spin += own.angular * share;
+            square.push((does, own));
+        }
+        (velocity, spin)
     }
 
     fn answer(&self, exact: bool) -> Option<Reactions> {
@@ -111,8 +210,9 @@ impl Grip<'_> {
         let mut pushes = Vec::with_capacity(3 * self.bearings.len());
         for (of, b) in self.bearings.iter().enumerate() {
             pushes.extend(b.pushes().map(|(force, axis)| {
-                let angular = self.body.mobility() * b.arm.cross(force);
-                Push { of, force, linear: force / self.body.mass(), angular, axis }
+                let moment = b.arm.cross(force);
+                let (linear, angular) = (force / self.body.mass(), self.body.mobility() * moment);
+                Push { of, force, moment, linear, angular, axis }
             }));
         }
         pushes

@@ -33,7 +33,7 @@ impl Sliding<'_> {
         };
         let mut bearings = self.bearings(&now, Supports::NONE, height);
         bearings.iter_mut().for_each(|b| b.sticks = false);
-        let Some((moved, turn)) = self.answered(&bearings) else { return *y };
+        let (moved, turn) = self.answered(&bearings);
         let gone = moved + turn.cross(self.foot.point);
         let turned = now.turned.after(Rotation::by(turn));
         let turned = Rotation::of(turned.to_array()).unwrap_or(turned);
@@ -58,14 +58,14 @@ impl Sliding<'_> {
     }
 
     /// How the mass centre and the body answer impulses that take the drives away: velocity and spin, body axes.
-    fn answered(&self, bearings: &[Bearing]) -> Option<(Vec3, Vec3)> {
-        let push = Grip { body: self.body, bearings }.corrections()?;
-        Some((push.force / self.body.mass(), self.body.mobility() * push.moment))
+    fn answered(&self, bearings: &[Bearing]) -> (Vec3, Vec3) {
+        Grip { body: self.body, bearings }.taken_back()
     }
 
     /// The motion after impulses that take the drives away.
     pub(in crate::spatial) fn moved(&self, y: &Vector, bearings: &[Bearing], now: &Moment) -> Vector {
-        self.answered(bearings).map_or(*y, |(velocity, spin)| self.changed(y, velocity, spin, now))
+        let (velocity, spin) = self.answered(bearings);
+        self.changed(y, velocity, spin, now)
     }
 
     /// The motion with another velocity of the mass centre and another spin, body axes: by so much.
@@ -95,6 +95,7 @@ impl Sliding<'_> {
     /// What a shift of the whole body leaves of itself, velocity and spin, where no support may leave its plane, and none that sticks may move.
     pub(in crate::spatial) fn admissible(&self, now: &Moment, velocity: Vec3) -> (Vec3, Vec3) {
         let bearings = self.bearings(now, Supports::NONE, |_, _| velocity);
-        self.answered(&bearings).map_or((Vec3::ZERO, Vec3::ZERO), |(v, w)| (velocity + v, w))
+        let (taken, turn) = self.answered(&bearings);
+        (velocity + taken, turn)
     }
 }
