@@ -137,19 +137,39 @@ fn boxes_that_trip_do_as_in_the_plane() {
     told("200 boxes that trip", (0..TRIPPING).into_par_iter().map(one).collect());
 }
 
+/// Two walls beside a box, so far from it on either side.
+fn groove(scene: &Scene, apart: f64) -> Vec<Wall> {
+    let beside = |side: f64| Wall {
+        name: "groove".to_owned(),
+        form: WallForm::Beside { z: side * (0.5 * scene.edges[2] + apart) },
+        friction: 0.0,
+        restitution: 0.0,
+    };
+    vec![beside(1.0), beside(-1.0)]
+}
+
 #[test]
 fn a_smooth_groove_changes_nothing() {
     let one = |case: u64| {
         let scene = Scene::drawn(case);
-        let beside = |side: f64| Wall {
-            name: "groove".to_owned(),
-            form: WallForm::Beside { z: side * (0.5 * scene.edges[2] + 1e-3) },
-            friction: 0.0,
-            restitution: 0.0,
-        };
-        differ(case, &scene, vec![beside(1.0), beside(-1.0)])
+        differ(case, &scene, groove(&scene, 1e-3))
     };
     told("100 feeders in a groove", (0..IN_A_GROOVE).into_par_iter().map(one).collect());
+}
+
+/// However near the walls are, the box is not searched along them in least steps.
+#[test]
+fn a_tight_groove_takes_no_longer() {
+    let looks = |apart: f64| {
+        let one = |case: u64| {
+            let scene = Scene::drawn(case);
+            scene.in_space(groove(&scene, apart)).run_untraced().unwrap().effort.event_evaluations
+        };
+        (0..IN_A_GROOVE).into_par_iter().map(one).max().unwrap()
+    };
+    let found = [1e-3, 1e-6, 1e-9, 1e-12].map(|apart| (apart, looks(apart)));
+    println!("most looks of {IN_A_GROOVE} feeders in a groove so far apart [m]: {found:?}");
+    assert!(found.iter().all(|(_, looks)| *looks < 4 * found[0].1), "{found:?}");
 }
 
 /// On a plate that is turned about its downhill line a box slides down the steepest line of it, `½ g (sin α − μ cos α) t²` far, with `cos α` the height of the plate's normal.

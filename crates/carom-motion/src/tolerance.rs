@@ -287,6 +287,8 @@ pub(crate) const ENERGY_ROOM: f64 = 1e-9;
 pub(crate) const LEAST_MARCH: f64 = 1e-7;
 /// Steps of a march are not so short that what grazes its plane in one of them comes less deep below it than this, in units of the reach.
 pub(crate) const GRAZES: f64 = 1e-12;
+/// Where a height was seen to fall through zero between nodes it does so, as a fraction of what was looked at: a thousand times what the nodes tell it to.
+pub(crate) const FALLS_WITHIN: f64 = 1e-6;
 /// Corrections of an event below this fraction of a step's length are rounding.
 pub(crate) const CORRECTION_ROUNDING: f64 = 4e-16;
 

@@ -6,9 +6,7 @@ use crate::evaluated::{Quantity, evaluated, watched};
 use crate::spatial::geometry::clear::Outlook;
 use crate::spatial::geometry::posture::{Bend, Height, Moving, Posture};
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{
-    BESIDE, CORRECTION_ROUNDING, GRAZES, LEAST_MARCH, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED, STILL_ACCELERATION,
-};
+use crate::tolerance::{BESIDE, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED, STILL_ACCELERATION};
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
@@ -21,21 +19,14 @@ const SKIMMED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 const MOST_PLACES: usize = 24;
 /// A body that is certain to be beside an obstacle for a smaller part of a step is near it.
 const NEAR: f64 = 0.05;
-/// Looks of a march that is not long.
-const FEW: u32 = 4;
-/// Looks of a march after which its steps are no shorter than what grazes a plane needs.
-const PATIENCE: u32 = 256;
-/// Steps of Newton's method on the dense output after which a step is made to where they have come.
-const MOST_NEWTON: u32 = 20;
-
 /// The motion at a place of a step.
 #[derive(Clone, Copy)]
 pub(super) struct Place<Y> {
     /// The fraction of the step.
     x: f64,
     y: Y,
-    at: Posture,
-    moving: Moving,
+    pub(super) at: Posture,
+    pub(super) moving: Moving,
 }
 
 impl<M: Motion> Gliding<'_, '_, M> {
@@ -73,7 +64,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// What is searched for the touch of a support: its height, or of edges what is zero with it and bends less.
-    fn approach(&self, support: usize, seen: &Place<M::Y>) -> Height {
+    pub(super) fn approach(&self, support: usize, seen: &Place<M::Y>) -> Height {
         let Some(pair) = self.walker.world.pair(support) else {
             return self.height_of(support, &seen.at, &seen.moving);
         };
@@ -82,7 +73,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// What that bends by.
-    fn bend(&self, support: usize, seen: &Place<M::Y>, time: f64) -> Bend {
+    pub(super) fn bend(&self, support: usize, seen: &Place<M::Y>, time: f64) -> Bend {
         match self.walker.world.pair(support) {
             None => self.motion.bend(self.walker.world, support, &seen.at, time),
             Some(pair) => {
@@ -93,7 +84,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// For so long at least the place of a support stays beside the face that has ends, if it is beside it.
-    fn stays_aside(&self, support: usize, seen: &Place<M::Y>, time: f64) -> f64 {
+    pub(super) fn stays_aside(&self, support: usize, seen: &Place<M::Y>, time: f64) -> f64 {
         if self.walker.world.limits(support) == 0 {
             return 0.0;
         }
@@ -102,7 +93,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// A face or an edge has ends: a support of it touches where its place is between them.
-    fn is_within(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> bool {
+    pub(super) fn is_within(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> bool {
         if self.walker.world.limits(support) == 0 {
             return true;
         }
@@ -215,7 +206,13 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// A support with this height goes along its plane between two places of a step and never leaves it: beside a wall, where nothing presses it.
-    fn skims(&mut self, step: &Step<M::Y>, support: usize, height: &Height, [from, until]: [f64; 2]) -> bool {
+    pub(super) fn skims(
+        &mut self,
+        step: &Step<M::Y>,
+        support: usize,
+        height: &Height,
+        [from, until]: [f64; 2],
+    ) -> bool {
         let skimmed = SKIMMED.map(|share| from + share * (until - from));
         // What is measured in the world is less exact than what is counted on.
         let ends = self.walker.world.limits(support) > 0;
@@ -235,118 +232,8 @@ impl<M: Motion> Gliding<'_, '_, M> {
         })
     }
 
-    /// The place in a part of a step where a support is certain to come down next: before it nothing does.
-    ///
-    /// From a height h, its rate and a bound B on the size of its acceleration the plane is not reached for a while; and it is certain to be reached
-    /// where `ḣ < 0` and `2 B h < ḣ²`.
-    fn march(
-        &mut self,
-        step: &Step<M::Y>,
-        (support, from, until): (usize, f64, f64),
-    ) -> Option<Found<Event>> {
-        let length = step.length;
-        let ends = self.walker.world.limits(support) > 0;
-        let behind = BESIDE * self.walker.scales.length;
-        let (mut x, mut looks) = (from, 0_u32);
-        while x < until {
-            let seen = self.place(step, x);
-            looks += 1;
-            let height = self.approach(support, &seen);
-            // It is noted, and nothing can be said of what comes after.
-            if height.value.is_nan() {
-                return None;
-            }
-            // What comes to its plane later may go along it from there on: it is asked again, ever more seldom.
-            if looks.is_power_of_two() && self.skims(step, support, &height, [x, until]) {
-                return None;
-            }
-            let bend = self.bend(support, &seen, (until - x) * length);
-            let least = self.least(&bend, length, looks);
-            let aside = self.stays_aside(support, &seen, (until - x) * length);
-            // Beside a face, or beyond an edge: what comes through from behind touches nothing.
-            if aside > 0.0 || ends && height.value < -behind {
-                let rate = height.rate.copysign(height.rate * height.value);
-                let other = Height { value: height.value.abs(), rate, second: 0.0 };
-                let clear = other.clear(&bend).max(self.apart(support, &seen, (until - x) * length, looks));
-                let next = (x + (clear.max(aside) / length).max(least)).min(until);
-                if height.value > 0.0 && next > x + clear / length {
-                    // While it was waited for what is beside it may come through just where it is there.
-                    if let Some(found) = self.comes_through(step, support, [x, next], behind) {
-                        return Some(found);
-                    }
-                }
-                x = next;
-                continue;
-            }
-            // Until here the bound on the acceleration holds.
-            let reach = until.min(x + bend.lasts / length);
-            if height.rate < 0.0 && 2.0 * bend.most * height.value < height.rate * height.rate {
-                let roots = [height.safe(bend.most), height.sure(bend.most)].map(|time| x + time / length);
-                // What hardly moves may come down long after this step.
-                let later =
-                    roots[0] >= reach || roots[1] > reach && self.look(step, support, reach).value > 0.0;
-                if later && reach >= until {
-                    return None;
-                }
-                if !later {
-                    let roots = roots.map(|end| end.min(reach));
-                    // What is below its plane by rounding may have come there before.
-                    let at = root_between(roots, length, &mut |x| self.look(step, support, x)).max(x);
-                    if at >= until || self.is_within(step, support, at) {
-                        return (at < until).then_some(Found::at(at, Event::Touches(support)));
-                    }
-                    x = at + least;
-                    continue;
-                }
-            }
-            let apart = self.apart(support, &seen, (until - x) * length, looks);
-            let clear = height.clear(&bend).max(apart) / length;
-            let next = (x + clear.max(least)).min(until);
-            let passes = ends && height.value > 0.0 && clear < least;
-            if passes && let Some(found) = self.comes_through(step, support, [x, next], behind) {
-                return Some(found);
-            }
-            x = next;
-        }
-        None
-    }
-
-    /// For so long at least edges stay apart: asked in a march of several looks, where what is zero as they touch is small because they are nearly parallel.
-    fn apart(&self, support: usize, seen: &Place<M::Y>, time: f64, looks: u32) -> f64 {
-        if looks < FEW {
-            return 0.0;
-        }
-        let most = self.motion.most(&seen.at, time);
-        let spare = SKIMS_BESIDE * self.walker.scales.length;
-        self.walker.world.apart(support, &seen.moving.state, &most, spare)
-    }
-
-    /// The shortest step of a march, as a part of the step that it looks at. Where it takes long, what grazes a plane comes below it in one by no more than is told apart there.
-    fn least(&self, bend: &Bend, length: f64, looks: u32) -> f64 {
-        if looks <= PATIENCE {
-            return LEAST_MARCH;
-        }
-        let time = (GRAZES * self.walker.scales.length / bend.most).sqrt();
-        if time.is_finite() { LEAST_MARCH.max(time / length) } else { LEAST_MARCH }
-    }
-
-    /// The touch of what is above its face at the first of two places of a step, behind it at the second, and within its ends where it comes through.
-    fn comes_through(
-        &mut self,
-        step: &Step<M::Y>,
-        support: usize,
-        places: [f64; 2],
-        behind: f64,
-    ) -> Option<Found<Event>> {
-        if self.look(step, support, places[1]).value >= -behind {
-            return None;
-        }
-        let at = root_between(places, step.length, &mut |x| self.look(step, support, x));
-        self.is_within(step, support, at).then_some(Found::at(at, Event::Touches(support)))
-    }
-
     /// The motion at a fraction of a step.
-    fn place(&mut self, step: &Step<M::Y>, x: f64) -> Place<M::Y> {
+    pub(super) fn place(&mut self, step: &Step<M::Y>, x: f64) -> Place<M::Y> {
         self.walker.effort.event_evaluations += 1;
         // All supports are looked at from the same places first.
         if let Some(known) = self.places.iter().find(|known| known.x.to_bits() == x.to_bits()) {
@@ -362,30 +249,10 @@ impl<M: Motion> Gliding<'_, '_, M> {
     }
 
     /// The height of a support at a fraction of a step.
-    fn look(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> Height {
+    pub(super) fn look(&mut self, step: &Step<M::Y>, support: usize, x: f64) -> Height {
         let seen = self.place(step, x);
         self.approach(support, &seen)
     }
-}
-
-/// The root of a height between two places of a step: Newton's method, kept between them.
-fn root_between([mut low, mut high]: [f64; 2], length: f64, look: &mut impl FnMut(f64) -> Height) -> f64 {
-    let mut x = low;
-    for _ in 0..MOST_NEWTON {
-        let height = look(x);
-        if height.value > 0.0 {
-            low = x;
-        } else {
-            high = x;
-        }
-        let newton = x - height.value / (height.rate * length);
-        let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-        if (next - x).abs() <= CORRECTION_ROUNDING {
-            return next;
-        }
-        x = next;
-    }
-    x
 }
 
 fn earlier(a: Option<Found<Event>>, b: Option<Found<Event>>) -> Option<Found<Event>> {

@@ -7,6 +7,7 @@ pub(in crate::spatial) mod flush;
 pub(in crate::spatial) mod forces;
 pub(in crate::spatial) mod glide;
 pub(in crate::spatial) mod gliding;
+pub(in crate::spatial) mod march;
 pub(in crate::spatial) mod motion;
 pub(in crate::spatial) mod onset;
 pub(in crate::spatial) mod question;
