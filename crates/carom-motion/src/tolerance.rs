@@ -211,6 +211,8 @@ pub(crate) const TOUCHES_AT_START: f64 = 1e-12;
 pub(crate) const AT_REST_AT_START: f64 = 1e-12;
 /// Supports that come down within this fraction of a stretch's length come down at once.
 pub(crate) const COMES_DOWN_AT_ONCE: f64 = 1e-11;
+/// So do those that come down within this fraction of the world's time: the corners of an edge whose turn is nothing but what many strikes have rounded.
+pub(crate) const ROUNDING_OF_TIME: f64 = 1e-12;
 /// Supports that come down slower than this fraction of the motion's speeds graze the plane.
 pub(crate) const GRAZING_SPEED: f64 = 1e-13;
 /// Supports that strike slower than this, in units of the world's speed, do not rebound: their hops would be lower than 1e-14 of the body, and gaps

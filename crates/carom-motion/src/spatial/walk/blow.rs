@@ -59,13 +59,11 @@ impl Walker<'_> {
     /// support is pressed as much as that takes.
     pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
         self.forget_series();
-        let only = touching.iter().next().filter(|_| touching.len() == 1);
-        // Of one that does not slip nothing but the press would be taken back.
-        let pressed = if only.is_some_and(|i| self.slip_of(i) != Vec3::ZERO) {
-            PRESSING_APPROACHES.as_slice()
-        } else {
-            &[]
-        };
+        let slips = |i: usize| self.slip_of(i) != Vec3::ZERO;
+        // Of one that does not slip nothing but the press would be taken back. Several that have just come down slowly had an approach, which holding them has taken away.
+        let presses = touching.len() == 1 || self.held_of(touching).is_empty();
+        let pressed =
+            if presses && touching.iter().any(slips) { PRESSING_APPROACHES.as_slice() } else { &[] };
         for press in std::iter::once(&0.0).chain(pressed) {
             let answer = self.blow(touching, Some(*press))?;
             if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
@@ -73,6 +71,12 @@ impl Walker<'_> {
             }
         }
         Ok(Some(no_motion()))
+    }
+
+    /// Those of these supports that are held.
+    fn held_of(&self, touching: Supports) -> Supports {
+        let held = self.mode.held(self.world);
+        touching.those(|i| held.contains(i))
     }
 
     /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. `press` is given
@@ -100,7 +104,8 @@ impl Walker<'_> {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world);
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
-        for (k, _) in touching.iter().enumerate().filter(|(_, i)| held.contains(*i)) {
+        let came = self.held_of(touching).is_empty() && press.is_some();
+        for (k, _) in touching.iter().enumerate().filter(|(_, i)| came || held.contains(*i)) {
             set.velocity[k].z = -press.unwrap_or(0.0) * size;
         }
         // A bounce from here may be lower than what heights are told from zero by: it would be struck down again before it has risen. Where friction forces the impact it need not be.

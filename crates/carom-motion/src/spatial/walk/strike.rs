@@ -14,8 +14,8 @@ use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End, Impact};
 use crate::tolerance::{
-    AT_REST_AT_START, BESIDE, COMES_DOWN_AT_ONCE, FAINT_STRIKE, FLAT, GRAZING_SPEED, SUPPORT_TOUCHES,
-    TOUCHES_AT_START,
+    AT_REST_AT_START, BESIDE, COMES_DOWN_AT_ONCE, FAINT_STRIKE, FLAT, GRAZING_SPEED, ROUNDING_OF_TIME,
+    SUPPORT_TOUCHES, TOUCHES_AT_START,
 };
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
@@ -97,7 +97,7 @@ impl Walker<'_> {
 
     /// The supports that touch now: those that are held, and those that come down at once.
     fn near(&self) -> Supports {
-        let at_once = COMES_DOWN_AT_ONCE * self.lasted;
+        let at_once = (COMES_DOWN_AT_ONCE * self.lasted).max(ROUNDING_OF_TIME * self.scales.time);
         let low = |i: usize| match self.world.pair(i) {
             None => SUPPORT_TOUCHES * self.scales.length,
             // What is measured in the world is less exact than what is counted on.
