@@ -22,8 +22,8 @@ const SLOW: f64 = 0.02;
 const LEAST_FREEDOM: f64 = 1e-3;
 /// The places of the spin, the slip and the spin about the normal in what is integrated.
 const MOVES: [usize; 7] = [4, 5, 6, SLIP, SLIP + 1, SLIP + 2, YAW];
-/// The longest implicit step, which is the first one's length, in the world's time.
-const FIRST: f64 = 0.05;
+/// The longest implicit step, in the world's time.
+const LONGEST: f64 = 2.0;
 
 impl Sliding<'_> {
     /// True where explicit steps would be far shorter than what the motion needs: where a slip starts, and where friction turns a slow one, or one on its way
@@ -86,7 +86,7 @@ impl Sliding<'_> {
         tolerance: &Vector,
     ) -> Option<(Step<Vector>, f64)> {
         let time = self.scales().time;
-        let mut length = hint.clamp(SHORTEST_IMPLICIT_STEP * time, FIRST * time).min(most);
+        let mut length = hint.clamp(SHORTEST_IMPLICIT_STEP * time, LONGEST * time).min(most);
         while length >= (SHORTEST_IMPLICIT_STEP * time).min(most) {
             if let Some(whole) = self.implicit(y, &self.guess(y, rate, length), length, tolerance)
                 && let Some(step) = self.collocated((y, rate), &whole, length)
