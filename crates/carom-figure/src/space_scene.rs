@@ -20,7 +20,7 @@ pub(crate) struct SpaceScene {
     faces: Vec<Vec<usize>>,
     names: Vec<String>,
     around: Vec<SolidPlate>,
-    instants: Vec<SolidInstant>,
+    pub(crate) instants: Vec<SolidInstant>,
     stages: Vec<SolidStage>,
     strikes: Vec<SolidStrike>,
     /// Plates and walls that are too far from the way to be shown.
