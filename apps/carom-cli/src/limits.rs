@@ -1,7 +1,7 @@
 //! How far each quantity may move alone before the verdict flips: what is told of it.
 
 use crate::printed::tell;
-use carom_scene::{FoundLimits, LimitEnd, Scene, labelled};
+use carom_scene::{Drawn, FoundLimits, LimitEnd, labelled};
 use carom_words::aligned;
 use std::time::{Duration, Instant};
 
@@ -18,7 +18,7 @@ pub(crate) fn progress(scene: &str) -> impl FnMut(&str, u64) {
 }
 
 /// The limits as a table.
-pub(crate) fn text(scene: &Scene, found: &FoundLimits) -> String {
+pub(crate) fn text(scene: &impl Drawn, found: &FoundLimits) -> String {
     let quantities = scene.quantities();
     let mut rows = vec![["quantity", "now", "from", "to"].map(str::to_owned).to_vec()];
     for limit in &found.limits {

@@ -7,7 +7,7 @@ use crate::printed::with_files;
 use crate::progress::{Progress, spent};
 use carom::tasks::axes::Asker;
 use carom::tasks::map::{MapAsked, MapStudy};
-use carom_scene::Scene;
+use carom_scene::{AnyScene, Drawn};
 use std::io::Write;
 
 pub(crate) fn map(options: &MapOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
@@ -20,15 +20,32 @@ pub(crate) fn map(options: &MapOptions, output: &Output, out: &mut impl Write) -
         cells: options.cells,
         asker: Asker::Command,
     };
-    let (scene, plate, plane) = asked.read(&Scene::read(&options.scene)?)?;
+    match AnyScene::read(&options.scene)? {
+        AnyScene::Plane(scene) => of_scene(&*scene, &asked, output, out),
+        AnyScene::Space(scene) => of_scene(&*scene, &asked, output, out),
+    }
+}
+
+fn of_scene(
+    scene: &impl Drawn,
+    asked: &MapAsked<'_>,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let (scene, plate, plane) = asked.read(scene)?;
     let progress = Progress::new("drops", None);
-    let study = MapStudy::drawn(&scene, plate, plane, &asked, || progress.step())?;
+    let study = MapStudy::drawn(&scene, plate, plane, asked, || progress.step())?;
     let seconds = progress.seconds();
     drop(progress);
     deliver(&study, seconds, output, out)
 }
 
-fn deliver(study: &MapStudy<'_>, seconds: f64, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
+fn deliver(
+    study: &MapStudy<'_, impl Drawn>,
+    seconds: f64,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     let summary = study.summary(spent(study.map.map.drops, seconds));
     let summary = format!("{}\n", serde_json::to_string_pretty(&summary)?);
     let folder = output.folder(study.map.scene.name());

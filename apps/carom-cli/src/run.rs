@@ -36,7 +36,7 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
         fed.push(pipeline::feed(&scene)?);
         done.push((scene, run));
     }
-    let found = |scene: &Scene| scene.limits(&mut limits::progress(scene.name()));
+    let found = |scene: &Scene| FoundLimits::of(scene, &mut limits::progress(scene.name()));
     let limits: Vec<Option<FoundLimits>> =
         done.iter().map(|(scene, _)| options.limits.then(|| found(scene))).collect();
     match output.format {
@@ -75,10 +75,10 @@ fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
     answer_lines(&mut std::io::stdin().lock(), out, |name, line| {
         let scene = match AnyScene::parse(name, &toml_of_json(name, line)?)? {
             AnyScene::Plane(scene) => *scene,
-            AnyScene::Space(scene) => return Ok(serde_json::to_string(&space::report(&scene)?)?),
+            AnyScene::Space(scene) => return Ok(serde_json::to_string(&space::report(&scene, options)?)?),
         };
         let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
-        let found = options.limits.then(|| scene.limits(&mut limits::progress(name)));
+        let found = options.limits.then(|| FoundLimits::of(&scene, &mut limits::progress(name)));
         Ok(serde_json::to_string(&tasks::run_report(&scene, &run, fed.as_ref(), found.as_ref()))?)
     })
 }

@@ -4,13 +4,13 @@ use crate::args::{Format, Output, RunOptions};
 use crate::failure::Failure;
 use crate::printed::{folders, notes, results, tell};
 use crate::table::{fixed, from_to, met, shouted, signed, stages};
-use crate::{files, pipeline, table};
+use crate::{files, limits, pipeline, table};
 use carom::tasks::{self, space as space_tasks};
 use carom_feeder::Stage;
 use carom_feeder::spatial::{Feeder, Run};
 use carom_figure::{SpaceRow, milliseconds, space_contacts, space_energy_change, space_rows, space_tilt};
 use carom_motion::spatial::{Impact, State, Touch};
-use carom_scene::{AnyScene, RunReport, SpaceRunReport, SpaceScene};
+use carom_scene::{AnyScene, Drawn, FoundLimits, RunReport, SpaceRunReport, SpaceScene};
 use carom_words::{Words, part, run as run_words};
 use serde::Serialize;
 use std::io::Write;
@@ -30,9 +30,8 @@ pub(crate) fn run(
     output: &Output,
     out: &mut impl Write,
 ) -> Result<(), Failure> {
-    if options.paper || options.limits {
-        let message =
-            "--paper and --limits are for parts that move in the plane: one of these scenes has a solid part";
+    if options.paper {
+        let message = "--paper is for parts that move in the plane: one of these scenes has a solid part";
         return Err(Failure::Usage(message.to_owned()));
     }
     let mut reports = vec![];
@@ -42,18 +41,24 @@ pub(crate) fn run(
         let (report, text, path) = match scene {
             AnyScene::Plane(scene) => {
                 let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
-                let report = Told::Plane(Box::new(tasks::run_report(&scene, &run, fed.as_ref(), None)));
-                let text = format!("{}{}", table::text(&scene, &run), notes(scene.notes()));
-                (report, text, crate::run::write_report(&scene, &run, fed.as_ref(), None, &folder)?)
+                let found = sought(&*scene, options);
+                let found = found.as_ref();
+                let report = Told::Plane(Box::new(tasks::run_report(&scene, &run, fed.as_ref(), found)));
+                let text =
+                    format!("{}{}{}", table::text(&scene, &run), notes(scene.notes()), told(&*scene, found));
+                (report, text, crate::run::write_report(&scene, &run, fed.as_ref(), found, &folder)?)
             }
             AnyScene::Space(scene) => {
                 let run = followed(&scene)?;
-                let report = Told::Space(Box::new(SpaceRunReport::new(&scene, &run)));
-                let mut path = folder.clone();
-                for (name, text) in space_tasks::run_files(&scene, &run)? {
+                let found = sought(&*scene, options);
+                let found = found.as_ref();
+                let report = Told::Space(Box::new(space_tasks::run_report(&scene, &run, found)));
+                let mut path =
+                    files::write_bytes(&folder, "motion.glb", &space_tasks::motion_glb(&scene, &run))?;
+                for (name, text) in space_tasks::run_files(&scene, &run, found)? {
                     path = files::write(&folder, name, &text)?;
                 }
-                (report, text(&scene, &run), path)
+                (report, format!("{}{}", text(&scene, &run), told(&*scene, found)), path)
             }
         };
         match output.format {
@@ -71,9 +76,20 @@ pub(crate) fn run(
     Ok(())
 }
 
+/// How far each quantity may move, where that is asked.
+fn sought(scene: &impl Drawn, options: &RunOptions) -> Option<FoundLimits> {
+    options.limits.then(|| FoundLimits::of(scene, &mut limits::progress(scene.name())))
+}
+
+/// What is told of that.
+fn told(scene: &impl Drawn, found: Option<&FoundLimits>) -> String {
+    found.map_or(String::new(), |found| format!("\n{}\n", limits::text(scene, found).trim_end()))
+}
+
 /// The result of a run, for a line of many.
-pub(crate) fn report(scene: &SpaceScene) -> Result<SpaceRunReport, Failure> {
-    Ok(SpaceRunReport::new(scene, &followed(scene)?))
+pub(crate) fn report(scene: &SpaceScene, options: &RunOptions) -> Result<SpaceRunReport, Failure> {
+    let found = sought(scene, options);
+    Ok(space_tasks::run_report(scene, &followed(scene)?, found.as_ref()))
 }
 
 fn followed(scene: &SpaceScene) -> Result<Run, Failure> {

@@ -35,8 +35,6 @@ says! {
     run_solid: ["run", "solid.toml"], "";
     run_solid_bolt: ["run", "solid_bolt.toml"], "";
     run_solid_beside_a_rod: ["run", "solid.toml", "case_2.toml"], "";
-    run_solid_with_limits: ["run", "solid.toml", "--limits"], "";
-    map_of_a_solid: ["map", "solid.toml", "--x", "contact.friction=0.1..0.2:2", "--y", "plate.upper.slope=10deg..20deg:2"], "";
     run_feed: ["run", "feed.toml"], "";
     feed_without_parts: ["feed", "case_1.toml", "--parts", "0"], "";
     run_bouncing: ["run", "bouncing.toml"], "";

@@ -22,6 +22,7 @@ mod regions_in_space;
 mod rolls_in_space;
 mod schemas;
 mod simulators;
+mod solids;
 mod studies;
 mod thin;
 mod thrown;

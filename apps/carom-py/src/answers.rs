@@ -11,8 +11,8 @@ use carom::tasks::impact::space::SpatialImpactStudy;
 use carom::tasks::roll::RollStudy;
 use carom::tasks::solid::SolidStudy;
 use carom_scene::{
-    AnyImpact, ForceAnswerReport, ImpactProblem, RollKind, RollProblem, SpatialRollKind, SpatialRollProblem,
-    StudyRunReport,
+    AnyImpact, ForceAnswerReport, FoundLimits, ImpactProblem, RollKind, RollProblem, SpatialRollKind,
+    SpatialRollProblem, StudyRunReport,
 };
 use carom_words::Words;
 use pyo3::prelude::*;
@@ -72,7 +72,7 @@ pub(crate) fn run(
     let done = long(py, None, progress, |watch| {
         let run = scene.feeder().run()?;
         let fed = tasks::feed(scene)?;
-        let found = limits.then(|| scene.limits(&mut |_, _| watch.step()));
+        let found = limits.then(|| FoundLimits::of(scene, &mut |_, _| watch.step()));
         Ok::<_, carom::feeder::RunError>((run, fed, found))
     })?;
     let (run, fed, found) = done.map_err(|error| of_words(py, &format!("{}: {error}", scene.name())))?;

@@ -2,7 +2,7 @@
 
 use crate::failure::{of_fault, of_input};
 use carom_scene::input::{Disk, Files, InMemory};
-use carom_scene::{Scene as Inner, labelled, toml_of_json};
+use carom_scene::{Drawn, Scene as Inner, labelled, toml_of_json};
 use pyo3::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -6,7 +6,7 @@ use carom::tasks::StudyError;
 use carom::tasks::axes::{Axis, Complaints, Key, quantity, read_axis, unknown};
 use carom::tasks::axes::{keys, named};
 use carom::tasks::records;
-use carom_scene::{Problem, ProblemKind, Problems, Scene};
+use carom_scene::{Drawn, Problem, ProblemKind, Problems};
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
@@ -27,7 +27,7 @@ pub(crate) enum Designs {
 
 /// Reads a grid or a list.
 pub(crate) fn read(
-    scene: &Scene,
+    scene: &impl Drawn,
     asked: DesignsAsked<'_>,
     complaints: &mut Complaints,
 ) -> Result<Designs, StudyError> {
@@ -38,7 +38,7 @@ pub(crate) fn read(
     }
 }
 
-fn grid(scene: &Scene, keys: &[Key], texts: &[String], complaints: &mut Complaints) -> Designs {
+fn grid(scene: &impl Drawn, keys: &[Key], texts: &[String], complaints: &mut Complaints) -> Designs {
     let (mut paths, mut axes, mut len): (Vec<String>, Vec<Axis>, u64) = (vec![], vec![], 1);
     if texts.is_empty() {
         let list = complaints.asker().option("list");
@@ -66,7 +66,7 @@ fn problem(kind: ProblemKind, line: u64, message: String) -> Problem {
 }
 
 /// Reads the whole list once: how many designs there are, and what is wrong with any of them.
-fn list(scene: &Scene, keys: Vec<Key>, file: &Path) -> Result<Designs, StudyError> {
+fn list(scene: &impl Drawn, keys: Vec<Key>, file: &Path) -> Result<Designs, StudyError> {
     let name = file.display().to_string();
     let file = ListFile::new(file)?;
     let mut lines = file.lines()?;

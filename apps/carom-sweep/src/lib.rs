@@ -14,7 +14,7 @@ mod table;
 use carom::tasks::StudyError;
 use carom::tasks::axes::{Asker, Complaints, plate};
 use carom_scene::columns::{ColumnsError, HAS_PARQUET};
-use carom_scene::{Scene, SweepReport, Variants};
+use carom_scene::{Drawn, Scene, SweepReport, Variants};
 use carom_study::sweep;
 use designs::Designs;
 use folder::Folder;
@@ -36,6 +36,11 @@ pub struct Sizes {
     pub group: u64,
     /// Of a step: what is worked through at a time, and lost at most.
     pub step: u64,
+}
+
+impl Sizes {
+    /// Of a scene in space, where a drop takes a hundred times as long as in the plane.
+    pub const IN_SPACE: Self = Self { part: 100_000, group: 10_000, step: 500 };
 }
 
 impl Default for Sizes {
@@ -71,8 +76,8 @@ pub struct SweepAsked<'a> {
 }
 
 /// What is swept.
-struct Of<'s> {
-    scene: &'s Scene,
+struct Of<'s, S: Drawn> {
+    scene: &'s S,
     plate: usize,
     designs: Designs,
     /// Which of how many shards, from 0.
@@ -80,7 +85,7 @@ struct Of<'s> {
     sizes: Sizes,
 }
 
-impl Of<'_> {
+impl<S: Drawn> Of<'_, S> {
     /// How many part files there are.
     fn parts(&self) -> u64 {
         self.designs.len().div_ceil(self.sizes.part)
@@ -92,7 +97,7 @@ impl Of<'_> {
     }
 
     /// The steps of this shard.
-    fn own(&self) -> impl Iterator<Item = u64> + use<> {
+    fn own(&self) -> impl Iterator<Item = u64> + use<S> {
         let (shard, of) = self.shard;
         (0..self.steps()).filter(move |step| step % of == shard)
     }
@@ -127,8 +132,8 @@ impl Of<'_> {
 }
 
 /// A sweep whose folder is open.
-pub struct Sweep<'s> {
-    of: Of<'s>,
+pub struct Sweep<'s, S: Drawn = Scene> {
+    of: Of<'s, S>,
     folder: Folder<'s>,
 }
 
@@ -140,14 +145,14 @@ pub struct Swept {
     pub text: String,
 }
 
-impl<'s> Sweep<'s> {
+impl<'s, S: Drawn> Sweep<'s, S> {
     /// Opens the folder of a sweep, anew or to go on with it; `tell` hears of files that are found damaged.
     ///
     /// # Errors
     /// Everything that is wrong with what is asked and with the list; a folder of another sweep, or at which somebody else is at work; a build
     /// without Parquet.
     pub fn open(
-        scene: &'s Scene,
+        scene: &'s S,
         asked: &SweepAsked<'_>,
         folder: PathBuf,
         tell: impl Fn(&str) + Send + 's,
@@ -199,9 +204,13 @@ fn shard(text: &str, complaints: &mut Complaints) -> (u64, u64) {
 }
 
 /// Works through the steps that are missing; returns how many drops that took.
-fn follow(of: &Of<'_>, folder: &Folder<'_>, step: &(dyn Fn(usize) + Sync)) -> Result<usize, StudyError> {
+fn follow(
+    of: &Of<'_, impl Drawn>,
+    folder: &Folder<'_>,
+    step: &(dyn Fn(usize) + Sync),
+) -> Result<usize, StudyError> {
     let paths: Vec<&str> = of.designs.paths().iter().map(String::as_str).collect();
-    let variants: Variants<'_> = of.scene.variants(&paths)?;
+    let variants = Variants::over(of.scene, &paths)?;
     let mut reader = of.designs.reader()?;
     let mut dropped = 0;
     for number in of.own() {
@@ -226,7 +235,7 @@ fn follow(of: &Of<'_>, folder: &Folder<'_>, step: &(dyn Fn(usize) + Sync)) -> Re
 }
 
 /// Puts the steps of a part into its file where all are there, and removes those of a part that has one.
-fn finish(of: &Of<'_>, folder: &Folder<'_>, part: u64) -> Result<(), StudyError> {
+fn finish(of: &Of<'_, impl Drawn>, folder: &Folder<'_>, part: u64) -> Result<(), StudyError> {
     let steps = of.steps_of(part);
     if folder.of_part(part, &of.of_part(part))?.is_none() {
         let whole = steps.clone().all(|step| folder.has_step(step));

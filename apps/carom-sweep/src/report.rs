@@ -5,14 +5,15 @@ use crate::folder::{Counts, Folder};
 use crate::list_file::fingerprint_of;
 use crate::{Of, Swept, no_json, table};
 use carom::tasks::StudyError;
-use carom_scene::{StudyRunReport, SweepManifest, SweepReport};
+use carom_scene::{Drawn, StudyRunReport, SweepManifest, SweepReport};
+use carom_words::aligned;
 use carom_words::number::ascii as fixed;
-use carom_words::{aligned, part};
+use carom_words::part::{self, Names};
 use std::fmt::Write as _;
 
 /// What is swept: a folder with another text is of another sweep.
-pub(crate) fn manifest(sweep: &Of<'_>) -> Result<String, StudyError> {
-    let outline = sweep.scene.outline_file().map(|(_, file)| {
+pub(crate) fn manifest(sweep: &Of<'_, impl Drawn>) -> Result<String, StudyError> {
+    let outline = sweep.scene.part_file().map(|(_, file)| {
         let bytes = disk::read_input(&file);
         bytes.and_then(|bytes| fingerprint_of(&bytes[..])).map_err(|error| disk::unread(&file, &error))
     });
@@ -20,7 +21,7 @@ pub(crate) fn manifest(sweep: &Of<'_>) -> Result<String, StudyError> {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: sweep.scene.source().to_owned(),
         outline: outline.transpose()?,
-        plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),
+        plate: sweep.scene.feeder().given(sweep.plate).to_owned(),
         quantities: sweep.designs.paths().to_vec(),
         designs: sweep.designs.described()?,
         rows: sweep.designs.len(),
@@ -32,7 +33,7 @@ pub(crate) fn manifest(sweep: &Of<'_>) -> Result<String, StudyError> {
 }
 
 /// The rows that are there, of all shards, and how often each ending occurs among them.
-fn counted(sweep: &Of<'_>, folder: &Folder<'_>) -> Result<(u64, Counts), StudyError> {
+fn counted(sweep: &Of<'_, impl Drawn>, folder: &Folder<'_>) -> Result<(u64, Counts), StudyError> {
     let (mut rows, mut endings) = (0, Counts::new());
     let mut add = |counts: Counts| {
         for (ending, count) in counts {
@@ -55,7 +56,7 @@ fn counted(sweep: &Of<'_>, folder: &Folder<'_>) -> Result<(u64, Counts), StudyEr
 }
 
 pub(crate) fn swept(
-    sweep: &Of<'_>,
+    sweep: &Of<'_, impl Drawn>,
     folder: &Folder<'_>,
     (drops, seconds): (usize, f64),
 ) -> Result<Swept, StudyError> {
@@ -64,7 +65,7 @@ pub(crate) fn swept(
     let report = SweepReport {
         scene: sweep.scene.name().to_owned(),
         approximations: sweep.scene.approximations().to_vec(),
-        plate: sweep.scene.feeder().plates[sweep.plate].name.clone(),
+        plate: sweep.scene.feeder().given(sweep.plate).to_owned(),
         rows,
         designs: sweep.designs.len(),
         endings,
@@ -78,7 +79,7 @@ pub(crate) fn swept(
 }
 
 /// For a person. `steps` is how many there are in all, where none of them is this shard's.
-fn text(sweep: &Of<'_>, report: &SweepReport, steps: Option<u64>) -> String {
+fn text(sweep: &Of<'_, impl Drawn>, report: &SweepReport, steps: Option<u64>) -> String {
     let plate = part::obstacle(sweep.scene.feeder(), sweep.plate);
     let mut text = format!("{}: {} of {} designs are swept\n", report.scene, report.rows, report.designs);
     if let Some(steps) = steps {

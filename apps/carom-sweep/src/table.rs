@@ -5,15 +5,16 @@ use crate::{Of, no_json};
 use carom::tasks::StudyError;
 use carom::tasks::axes::{Asker, keys};
 use carom::tasks::sweep::{FOUND, found};
-use carom_scene::ColumnReport;
 use carom_scene::columns::{Column, ColumnsError, SEAL, Table, sealed};
-use carom_study::Dropped;
+use carom_scene::{ColumnReport, Drawn};
+use carom_study::{Dropped, Landed};
+use carom_words::part::Names;
 use carom_words::study;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The columns of a sweep and their units, in their order.
-pub(crate) fn described(sweep: &Of<'_>) -> Vec<ColumnReport> {
+pub(crate) fn described(sweep: &Of<'_, impl Drawn>) -> Vec<ColumnReport> {
     let keys = keys(sweep.scene, Asker::Call);
     let unit = |path: &String| {
         let key = keys.iter().find(|key| key.name == *path);
@@ -30,10 +31,10 @@ pub(crate) fn described(sweep: &Of<'_>) -> Vec<ColumnReport> {
 
 /// One step as a file.
 pub(crate) fn step(
-    sweep: &Of<'_>,
+    sweep: &Of<'_, impl Drawn>,
     folder: &Folder<'_>,
     step: u64,
-    (designs, drops): (&[Vec<f64>], &[Dropped]),
+    (designs, drops): (&[Vec<f64>], &[Dropped<impl Landed>]),
 ) -> Result<Vec<u8>, StudyError> {
     let range = sweep.of_step(step);
     let quantity = |i: usize| Column::Number(designs.iter().map(|design| design.get(i).copied()).collect());
@@ -47,7 +48,7 @@ pub(crate) fn step(
 }
 
 /// How often each ending occurs.
-fn counts(drops: &[Dropped]) -> Counts {
+fn counts<R>(drops: &[Dropped<R>]) -> Counts {
     let mut counts = BTreeMap::new();
     for dropped in drops {
         *counts.entry(study::ending(dropped.ending)).or_insert(0) += 1;
@@ -57,7 +58,7 @@ fn counts(drops: &[Dropped]) -> Counts {
 
 /// A part file from its steps, and its endings; `None` where a step is no longer there as a whole.
 pub(crate) fn part(
-    sweep: &Of<'_>,
+    sweep: &Of<'_, impl Drawn>,
     folder: &Folder<'_>,
     part: u64,
 ) -> Result<Option<(Vec<u8>, Counts)>, StudyError> {
@@ -104,7 +105,7 @@ fn named(rows: &Rows) -> Vec<(&str, Column)> {
 impl File {
     /// A file of these designs, without rows as yet.
     fn new(
-        sweep: &Of<'_>,
+        sweep: &Of<'_, impl Drawn>,
         folder: &Folder<'_>,
         range: Range<u64>,
         counts: &Counts,
@@ -114,7 +115,7 @@ impl File {
         let counts = serde_json::to_string(counts).map_err(no_json)?;
         let about = [
             ("scene", sweep.scene.source()),
-            ("plate", &sweep.scene.feeder().plates[sweep.plate].name),
+            ("plate", sweep.scene.feeder().given(sweep.plate)),
             ("version", env!("CARGO_PKG_VERSION")),
             (ENDINGS, &counts),
             (FINGERPRINT, folder.fingerprint()),

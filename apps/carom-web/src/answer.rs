@@ -7,7 +7,7 @@ use crate::request::{Ask, Change, Frame, Request, Study};
 use crate::watch::Watch;
 use carom::tasks;
 use carom_scene::input::InMemory;
-use carom_scene::{Form, Scene, SpaceScene};
+use carom_scene::{Form, FoundLimits, Scene, SpaceScene};
 use std::collections::BTreeMap;
 
 impl Request {
@@ -39,7 +39,7 @@ impl Request {
                 Ok(Reply { html: Some(html), ..Reply::default() })
             }
             Study::Limit { path } => {
-                let limit = scene.limits_of(path).map(|(limit, _)| limit);
+                let limit = FoundLimits::one(&scene, path).map(|(limit, _)| limit);
                 Ok(Reply { limit: limit.map(Box::new), ..Reply::default() })
             }
             Study::At { values } => {

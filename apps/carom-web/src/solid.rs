@@ -105,6 +105,6 @@ pub(crate) fn files(
 
 /// The files that `carom run` writes of a scene in space.
 pub(crate) fn files_of_run(scene: &SpaceScene) -> Result<Reply, Failure> {
-    let files = space::run_files(scene, &scene.feeder().run()?)?;
+    let files = space::run_files(scene, &scene.feeder().run()?, None)?;
     Ok(Reply { files: Some(named(files)), ..Reply::default() })
 }

@@ -116,7 +116,7 @@ pub(crate) fn told(run: &Run, extra: &Extra) -> Markup {
     }
 }
 
-fn limits(limits: &[QuantityLimit]) -> Markup {
+pub(crate) fn limits(limits: &[QuantityLimit]) -> Markup {
     if limits.is_empty() {
         return html! {};
     }

@@ -3,7 +3,7 @@
 use crate::layout::millimetres;
 use crate::markup::{Markup, fact, html, joined, notes, table};
 use crate::page::{Page, law_and_input};
-use crate::report::{REPORT_CSS, Wish};
+use crate::report::{QuantityLimit, REPORT_CSS, Wish, limits};
 use crate::solid::{SOLID_CSS, SolidFigure};
 use crate::space_rows::space_energy_change;
 use crate::space_scene::SpaceScene;
@@ -30,6 +30,8 @@ pub struct SpaceFigure<'a> {
     pub wanted: &'a [Wish],
     /// For each face how far inside it the mass centre's projection is [m]; empty where that is not known.
     pub margins: &'a [f64],
+    /// How far each quantity may move before the verdict flips; empty where that was not asked.
+    pub limits: &'a [QuantityLimit],
     /// How the computed part differs from the drawn one.
     pub approximations: &'a [String],
     /// What was done to the drawing that its author should know.
@@ -55,6 +57,7 @@ pub struct SpaceFigure<'a> {
 ///     run: &feeder.run()?,
 ///     wanted: &[],
 ///     margins: &[],
+///     limits: &[],
 ///     approximations: &["the part touches with its hull".to_owned()],
 ///     notes: &[],
 ///     source: "",
@@ -74,6 +77,7 @@ pub fn space_report(figure: &SpaceFigure<'_>) -> String {
         (chart(&shown))
         (space_tables::strikes(figure.feeder, figure.run))
         (space_tables::faces(figure.feeder, figure.run, figure.margins))
+        (limits(figure.limits))
         (plates(figure.feeder))
         (law_and_input(&law(figure), figure.source))
     };

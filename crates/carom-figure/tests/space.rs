@@ -11,6 +11,7 @@ fn figure<'a>(feeder: &'a Feeder, run: &'a Run) -> SpaceFigure<'a> {
         run,
         wanted: &[],
         margins: &[],
+        limits: &[],
         approximations: &[],
         notes: &[],
         source: "",
@@ -142,4 +143,46 @@ fn a_part_that_stays_where_it_is_has_a_picture() {
         "one that can be turned"
     );
     assert!(page.contains("Nothing was struck."), "and no strikes");
+}
+
+/// The rows of an accessor of a `.glb` file.
+fn rows(tree: &serde_json::Value, binary: &[u8], accessor: &serde_json::Value) -> Vec<Vec<f32>> {
+    let whole = |value: &serde_json::Value| value.as_u64().unwrap() as usize;
+    let accessor = &tree["accessors"][whole(accessor)];
+    let view = &tree["bufferViews"][whole(&accessor["bufferView"])];
+    let (from, length) = (whole(&view["byteOffset"]), whole(&view["byteLength"]));
+    let numbers =
+        binary[from..from + length].chunks(4).map(|four| f32::from_le_bytes(four.try_into().unwrap()));
+    let wide = length / 4 / whole(&accessor["count"]);
+    numbers.collect::<Vec<_>>().chunks(wide).map(<[f32]>::to_vec).collect()
+}
+
+#[test]
+fn a_model_moves_as_the_part_does() {
+    let feeder = examples::two_plates();
+    let run = feeder.run().unwrap();
+    let file = carom_figure::space_glb(&feeder, &run);
+    let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
+    let tree: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).unwrap();
+    let binary = &file[28 + length..];
+    let sampler = |k: usize| &tree["animations"][0]["samplers"][k];
+    let times = rows(&tree, binary, &sampler(0)["input"]);
+    assert!(times.windows(2).all(|pair| pair[0][0] < pair[1][0]), "times rise");
+    assert!((f64::from(times[times.len() - 1][0]) - run.end_time).abs() < 1e-6);
+    let [places, turns] = [0, 1].map(|k| rows(&tree, binary, &sampler(k)["output"]));
+    // The last node has y upwards again: (x, y, z) of the animation is (x, −z, y) of the drawing.
+    let place = &places[places.len() - 1];
+    let centre = [place[0], place[2], -place[1]].map(f64::from);
+    let off = centre.iter().zip(run.end.centre.to_array()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-6, "{off} m");
+    assert!(turns.iter().all(|turn| (turn.iter().map(|x| x * x).sum::<f32>() - 1.0).abs() < 1e-5));
+    // Every corner of the part is a vertex of its mesh.
+    let meshes = tree["meshes"][0]["primitives"].as_array().unwrap();
+    let vertices: Vec<Vec<f32>> =
+        meshes.iter().flat_map(|piece| rows(&tree, binary, &piece["attributes"]["POSITION"])).collect();
+    for corner in feeder.part.body.supports() {
+        let at = corner.to_array();
+        let near = |v: &Vec<f32>| v.iter().zip(at).all(|(a, b)| (f64::from(*a) - b).abs() < 1e-6);
+        assert!(vertices.iter().any(near), "{corner:?}");
+    }
 }

@@ -3,9 +3,11 @@
 use crate::approximation::Approximation;
 use crate::assemble::assemble;
 use crate::drawing::{Drawing, StartFaces, Want};
-use crate::problem::Problem;
-use crate::scene::{NamedQuantity, Scene};
+use crate::grammar::out_of_range;
+use crate::problem::{Problem, Problems};
+use crate::scene::{NamedQuantity, Scene, quantities};
 use crate::space::{SpaceScene, assemble as assemble_in_space};
+use crate::visit::{canonical, unknown};
 use crate::wanted::Wanted;
 use carom_feeder::{Feeder, spatial};
 use carom_impact::Law;
@@ -44,6 +46,19 @@ pub trait Drawn: Clone + Send + Sync {
     /// # Errors
     /// A drawing that the values make impossible.
     fn moved(&self, values: &[(usize, f64)], face: Option<usize>) -> Result<Self::Feeder, Vec<Problem>>;
+    /// The same scene with one quantity changed. A plate may be named by its number: `plate.1.below.y`.
+    ///
+    /// # Errors
+    /// No such quantity; a value that is not allowed; a drawing that this value makes impossible.
+    fn with(&self, path: &str, value: f64) -> Result<Self, Problems>;
+
+    /// A path with a plate's number replaced by its name: `plate.1.slope` becomes `plate.lower.slope`.
+    fn canonical(&self, path: &str) -> String {
+        let known = self.quantities();
+        let paths: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
+        canonical(path, &paths)
+    }
+
     /// Each face on which the part may start, and its share; the shares sum to 1.
     fn start_faces(&self) -> Vec<(usize, f64)>;
     /// Where the file says on which.
@@ -88,6 +103,25 @@ pub(crate) fn moved(drawing: &Drawing, values: &[(usize, f64)], face: Option<usi
     drawing
 }
 
+/// A drawing with one quantity changed.
+pub(crate) fn changed(drawing: &Drawing, path: &str, value: f64) -> Result<Drawing, Problem> {
+    let mut changed = drawing.clone();
+    let paths = quantities(drawing);
+    let paths: Vec<&str> = paths.iter().map(|quantity| quantity.path.as_str()).collect();
+    let plain = canonical(path, &paths);
+    let mut problem = Some(unknown(path, &paths));
+    changed.visit(&mut |found, quantity| {
+        let found = found.to_string();
+        if found == plain {
+            quantity.value = value;
+            let mut alone = quantity.clone();
+            (alone.tolerance, alone.span) = (None, None);
+            problem = out_of_range(&found, &alone);
+        }
+    });
+    problem.map_or(Ok(changed), Err)
+}
+
 impl Drawn for Scene {
     type Feeder = Feeder;
     const MOTION: &'static str = "plane motion";
@@ -114,6 +148,10 @@ impl Drawn for Scene {
 
     fn moved(&self, values: &[(usize, f64)], face: Option<usize>) -> Result<Feeder, Vec<Problem>> {
         Ok(assemble(&moved(self.drawing(), values, face))?.feeder)
+    }
+
+    fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
+        self.with(path, value)
     }
 
     fn start_faces(&self) -> Vec<(usize, f64)> {
@@ -179,6 +217,10 @@ impl Drawn for SpaceScene {
 
     fn moved(&self, values: &[(usize, f64)], face: Option<usize>) -> Result<spatial::Feeder, Vec<Problem>> {
         Ok(assemble_in_space(&moved(self.drawing(), values, face))?.feeder)
+    }
+
+    fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
+        self.with(path, value)
     }
 
     fn start_faces(&self) -> Vec<(usize, f64)> {

@@ -1,5 +1,6 @@
 //! A scene some quantities of which are fitted to observed drops.
 
+use crate::drawn::Drawn;
 use crate::problem::Problems;
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene};

@@ -3,13 +3,12 @@
 use crate::approximation::Approximation;
 use crate::assemble::{Assembled, assemble};
 use crate::drawing::{Design, Drawing, Outline, Want};
-use crate::grammar::out_of_range;
+use crate::drawn::changed;
 use crate::input::{Beside, Disk, Files};
 use crate::node::from_toml;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Kind, Tolerance};
 use crate::read_scene::read_scene;
-use crate::visit::{canonical, unknown};
 use carom_feeder::{Feed, Feeder};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -223,13 +222,6 @@ impl Scene {
         quantities(&self.drawing)
     }
 
-    /// A path with a plate's number replaced by its name: `plate.1.slope` becomes `plate.lower.slope`.
-    pub fn canonical(&self, path: &str) -> String {
-        let known = self.quantities();
-        let paths: Vec<&str> = known.iter().map(|quantity| quantity.path.as_str()).collect();
-        canonical(path, &paths)
-    }
-
     /// The same scene with one quantity changed. A plate may be named by its number: `plate.1.below.y`.
     ///
     /// # Errors
@@ -246,25 +238,9 @@ impl Scene {
     /// ```
     pub fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
         let fail = |problems| Problems::new(&self.file, &self.source, problems);
-        let mut changed = self.clone();
-        let paths = self.quantities();
-        let paths: Vec<&str> = paths.iter().map(|quantity| quantity.path.as_str()).collect();
-        let plain = canonical(path, &paths);
-        let mut problem = Some(unknown(path, &paths));
-        changed.drawing.visit(&mut |found, quantity| {
-            let found = found.to_string();
-            if found == plain {
-                quantity.value = value;
-                let mut alone = quantity.clone();
-                (alone.tolerance, alone.span) = (None, None);
-                problem = out_of_range(&found, &alone);
-            }
-        });
-        if let Some(problem) = problem {
-            return Err(fail(vec![problem]));
-        }
-        changed.assembled = assemble(&changed.drawing).map_err(fail)?;
-        Ok(changed)
+        let drawing = changed(&self.drawing, path, value).map_err(|problem| fail(vec![problem]))?;
+        let assembled = assemble(&drawing).map_err(fail)?;
+        Ok(self.redrawn(drawing, assembled))
     }
 }
 

@@ -54,11 +54,19 @@ impl Scene {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn variants(&self, paths: &[&str]) -> Result<Variants<'_>, Problems> {
-        Variants::of(Cow::Borrowed(self), paths)
+        Variants::over(self, paths)
     }
 }
 
 impl<'s, S: Drawn> Variants<'s, S> {
+    /// Leaves these quantities of a scene open, in the plane or in space: as [`Scene::variants`].
+    ///
+    /// # Errors
+    /// As [`Scene::variants`].
+    pub fn over(scene: &'s S, paths: &[&str]) -> Result<Self, Problems> {
+        Self::of(Cow::Borrowed(scene), paths)
+    }
+
     /// Leaves these quantities of a scene open.
     pub(crate) fn of(scene: Cow<'s, S>, paths: &[&str]) -> Result<Self, Problems> {
         let known = scene.quantities();

@@ -3,11 +3,10 @@
 //! A map is the [region diagram](crate::regions) of a drop's [`Ending`]: the boundaries between outcomes are located by bisection of whole
 //! runs, not drawn through a raster. What every node of the grid measures is kept beside it.
 
+use crate::device::Device;
 use crate::ending::{Dropped, Ending};
 use crate::packed::{Packed, packed};
 use crate::regions::{self, Cells, Options, Range, Regions, RegionsError, raster};
-use carom_feeder::Feeder;
-use carom_motion::planar;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -96,12 +95,12 @@ pub struct Map {
 /// assert!(border.points.iter().all(|[f, _]| (f - 15_f64.to_radians().tan()).abs() < 1e-9));
 /// # Ok::<(), carom_study::regions::RegionsError>(())
 /// ```
-pub fn draw(
+pub fn draw<D: Device>(
     x: Range,
     y: Range,
     options: &Options,
     plate: usize,
-    feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
+    feeder: impl Fn(f64, f64) -> Option<D> + Sync,
 ) -> Result<Map, RegionsError> {
     drawn([x, y], options, plate, &feeder, &[])
 }
@@ -128,15 +127,15 @@ pub fn draw(
 /// assert!(found.drops < 800);
 /// # Ok::<(), carom_study::regions::RegionsError>(())
 /// ```
-pub fn draw_cells(
+pub fn draw_cells<D: Device>(
     axes: [Range; 2],
     options: &Options,
     plate: usize,
-    feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
+    feeder: impl Fn(f64, f64) -> Option<D> + Sync,
 ) -> Result<(Map, Cells<Ending>), RegionsError> {
     regions::check(axes[0], axes[1], options)?;
     let mut map = drawn(raster::followed(axes).0, options, plate, &feeder, &[])?;
-    let ending = |x, y| Dropped::of(feeder(x, y).as_ref(), plate, &planar::Options::default()).ending;
+    let ending = |x, y| Dropped::through(feeder(x, y).as_ref(), plate).ending;
     let cells = raster::filled(axes, &map.regions, ending);
     map.drops += cells.evaluations;
     Ok((map, cells))
@@ -158,11 +157,11 @@ pub fn cells_options(axes: [Range; 2]) -> Options {
 ///
 /// # Errors
 /// As [`draw`].
-pub fn draw_knowing(
+pub fn draw_knowing<D: Device>(
     [x, y]: [Range; 2],
     options: &Options,
     plate: usize,
-    feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
+    feeder: impl Fn(f64, f64) -> Option<D> + Sync,
     known: &[Node],
 ) -> Result<Map, RegionsError> {
     drawn([x, y], options, plate, &feeder, known)
@@ -186,15 +185,15 @@ pub fn draw_knowing(
 /// let sent = to_words(&explore(axes, &options, 0, (1, 2), slope)?);
 /// known.extend(of_words(&sent).unwrap());
 /// let whole = draw(axes[0], axes[1], &options, 0, slope)?;
-/// assert_eq!(draw_knowing(axes, &options, 0, |_, _| None, &known)?, whole);
+/// assert_eq!(draw_knowing(axes, &options, 0, |_, _| None::<carom_feeder::Feeder>, &known)?, whole);
 /// # Ok::<(), carom_study::regions::RegionsError>(())
 /// ```
-pub fn explore(
+pub fn explore<D: Device>(
     axes: [Range; 2],
     options: &Options,
     plate: usize,
     band: (u32, u32),
-    feeder: impl Fn(f64, f64) -> Option<Feeder> + Sync,
+    feeder: impl Fn(f64, f64) -> Option<D> + Sync,
 ) -> Result<Vec<Node>, RegionsError> {
     let asked = Mutex::new(BTreeMap::new());
     regions::explore(axes, options, band, |x, y| {
@@ -219,8 +218,8 @@ pub fn of_words(words: &[u64]) -> Option<Vec<Node>> {
 }
 
 impl Node {
-    fn of(feeder: Option<Feeder>, [x, y]: [f64; 2], plate: usize) -> Self {
-        let dropped = Dropped::of(feeder.as_ref(), plate, &planar::Options::default());
+    fn of<D: Device>(feeder: Option<D>, [x, y]: [f64; 2], plate: usize) -> Self {
+        let dropped = Dropped::through(feeder.as_ref(), plate);
         Self {
             x,
             y,
@@ -232,11 +231,11 @@ impl Node {
     }
 }
 
-fn drawn(
+fn drawn<D: Device>(
     [x, y]: [Range; 2],
     options: &Options,
     plate: usize,
-    feeder: &(dyn Fn(f64, f64) -> Option<Feeder> + Sync),
+    feeder: &(dyn Fn(f64, f64) -> Option<D> + Sync),
     known: &[Node],
 ) -> Result<Map, RegionsError> {
     regions::check(x, y, options)?;

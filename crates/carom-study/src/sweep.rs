@@ -1,8 +1,7 @@
 //! Sweeps: many designs, one drop each.
 
+use crate::device::Device;
 use crate::ending::Dropped;
-use carom_feeder::Feeder;
-use carom_motion::planar::Options;
 use rayon::prelude::*;
 
 /// Drops the part once in every one of these designs, on all cores; the answers are in the order of the designs.
@@ -19,19 +18,19 @@ use rayon::prelude::*;
 /// let outcomes: Vec<_> = drops.iter().map(|dropped| dropped.run.as_ref().map(|run| run.outcome)).collect();
 /// assert_eq!(outcomes, [Some(Outcome::Delivered), Some(Outcome::Stuck)]);
 /// ```
-pub fn drops(
+pub fn drops<D: Device>(
     designs: &[Vec<f64>],
     plate: usize,
-    feeder: impl Fn(&[f64]) -> Option<Feeder> + Sync,
-) -> Vec<Dropped> {
+    feeder: impl Fn(&[f64]) -> Option<D> + Sync,
+) -> Vec<Dropped<D::Run>> {
     dropped(designs, plate, &feeder)
 }
 
-fn dropped(
+fn dropped<D: Device>(
     designs: &[Vec<f64>],
     plate: usize,
-    feeder: &(dyn Fn(&[f64]) -> Option<Feeder> + Sync),
-) -> Vec<Dropped> {
-    let drop = |values: &Vec<f64>| Dropped::of(feeder(values).as_ref(), plate, &Options::default());
+    feeder: &(dyn Fn(&[f64]) -> Option<D> + Sync),
+) -> Vec<Dropped<D::Run>> {
+    let drop = |values: &Vec<f64>| Dropped::through(feeder(values).as_ref(), plate);
     designs.par_iter().panic_fuse().map(drop).collect()
 }

@@ -147,7 +147,7 @@ pub fn draft(scene: &Scene) -> Draft {
 }
 
 /// A limit in the unit a drawing uses; `None` where the scene has no such quantity.
-pub fn shown(scene: &Scene, limit: &Limit) -> Option<QuantityLimit> {
+pub fn shown(scene: &impl Drawn, limit: &Limit) -> Option<QuantityLimit> {
     let quantity = scene.quantities().into_iter().find(|quantity| quantity.path == limit.quantity)?;
     let dimension = quantity.kind.dimension;
     let unit = dimension.unit(dimension.usual());

@@ -12,6 +12,7 @@ pub use report::{
 
 use crate::approximation::Approximation;
 use crate::drawing::{Drawing, Want};
+use crate::drawn::changed;
 use crate::input::{Beside, Disk, Files};
 use crate::node::from_toml;
 use crate::problem::{Problem, ProblemKind, Problems};
@@ -196,5 +197,21 @@ impl SpaceScene {
     /// Every quantity, in the order of a scene, defaults included.
     pub fn quantities(&self) -> Vec<NamedQuantity> {
         quantities(&self.drawing)
+    }
+
+    /// The same scene with one quantity changed. A plate may be named by its number: `plate.1.width`.
+    ///
+    /// # Errors
+    /// No such quantity; a value that is not allowed; a drawing that this value makes impossible.
+    pub fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
+        let fail = |problems| Problems::new(&self.file, &self.source, problems);
+        let drawing = changed(&self.drawing, path, value).map_err(|problem| fail(vec![problem]))?;
+        let assembled = assemble(&drawing).map_err(fail)?;
+        Ok(self.redrawn(drawing, assembled))
+    }
+
+    /// The same file, drawn otherwise.
+    fn redrawn(&self, drawing: Drawing, assembled: SpaceAssembled) -> Self {
+        Self { file: self.file.clone(), source: self.source.clone(), drawing, assembled }
     }
 }

@@ -3,7 +3,7 @@
 use super::SpaceScene;
 use crate::approximation::Approximation;
 use crate::run_end_report::{JamReport, StageEndReport, jam_report, stage_end_report};
-use crate::run_report::{AccumulationReport, PlateReport, WorkReport, landing_report};
+use crate::run_report::{AccumulationReport, Limit, PlateReport, WorkReport, landing_report};
 use crate::tolerance::ONE_FACE;
 use crate::wanted::Wanted;
 use crate::word::Word;
@@ -61,6 +61,12 @@ pub struct SpaceRunReport {
     pub impacts: Vec<SpaceImpactReport>,
     /// Series of infinitely many impacts that were closed at their limit.
     pub accumulations: Vec<AccumulationReport>,
+    /// How far each quantity may move before the verdict flips; only where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limits: Option<Vec<Limit>>,
+    /// How many runs that took.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_runs: Option<u64>,
     /// Impacts that had several consistent outcomes, of which the one that keeps the most contacts was followed.
     pub forks: u64,
     /// Deterministic counts of the work done.
@@ -204,6 +210,8 @@ impl SpaceRunReport {
                 .iter()
                 .map(|closing| AccumulationReport { from_s: closing.time, to_s: closing.limit })
                 .collect(),
+            limits: None,
+            limit_runs: None,
             forks: run.forks,
             work: WorkReport {
                 rhs_evaluations: run.effort.rhs_evaluations,

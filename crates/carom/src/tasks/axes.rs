@@ -3,7 +3,7 @@
 use super::map::MapAxis;
 use carom_scene::quantity::{QuantityProblem, parse, parse_range};
 use carom_scene::unit::{Dimension, Unit};
-use carom_scene::{Drawn, Problem, ProblemKind, Problems, Scene, label_beside, labelled, nearest};
+use carom_scene::{Drawn, Problem, ProblemKind, Problems, label_beside, labelled, nearest};
 use carom_study::regions::{MOST_CELLS, Range};
 use std::ops::RangeInclusive;
 
@@ -314,7 +314,7 @@ fn written(text: &str, dimension: Dimension) -> Option<Unit> {
 }
 
 /// The quantities of a scene that may be moved. On the command line their units are written, as in the scene; in a call plain numbers are SI.
-pub fn keys(scene: &Scene, asker: Asker) -> Vec<Key> {
+pub fn keys(scene: &impl Drawn, asker: Asker) -> Vec<Key> {
     let quantities = scene.quantities().into_iter();
     let continuous = quantities.filter(|quantity| quantity.kind.dimension != Dimension::Count);
     continuous
@@ -327,7 +327,7 @@ pub fn keys(scene: &Scene, asker: Asker) -> Vec<Key> {
 }
 
 /// The same text with a plate's number replaced by its name.
-pub fn named(scene: &Scene, text: &str) -> String {
+pub fn named(scene: &impl Drawn, text: &str) -> String {
     let Some((path, rest)) = text.split_once('=') else { return text.to_owned() };
     format!("{}={rest}", scene.canonical(path.trim()))
 }

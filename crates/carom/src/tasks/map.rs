@@ -7,10 +7,10 @@ mod study;
 pub use cells::MapCells;
 pub use study::{MapAsked, MapStudy};
 
-use carom_feeder::{Feeder, Verdict};
+use carom_feeder::Verdict;
 use carom_figure::{RegionAxis, RegionDiagram, RegionName, live_regions, regions_svg};
 use carom_scene::unit::Unit;
-use carom_scene::{Problems, Scene, Want, labelled};
+use carom_scene::{Drawn, Problems, Scene, Variants, Want, labelled};
 use carom_study::Ending;
 use carom_study::map::{Map, Node, draw_cells, draw_knowing, explore};
 use carom_study::regions::{Cells, Options, Range, RegionsError};
@@ -66,9 +66,9 @@ impl MapAxis {
 /// assert!(map.map.drops > 36 && map.svg().contains("how a drop ends"));
 /// # Ok::<(), carom::Error>(())
 /// ```
-pub struct OutcomeMap<'s> {
+pub struct OutcomeMap<'s, S: Drawn = Scene> {
     /// The scene.
-    pub scene: &'s Scene,
+    pub scene: &'s S,
     /// The plate on which endings are told apart.
     pub plate: usize,
     /// Abscissa and ordinate.
@@ -95,13 +95,13 @@ pub enum MapError {
     Regions(#[from] RegionsError),
 }
 
-impl<'s> OutcomeMap<'s> {
+impl<'s, S: Drawn> OutcomeMap<'s, S> {
     /// Drops over the plane, but for those that are known from [`OutcomeMap::explored`]; `step` is called after each.
     ///
     /// # Errors
     /// See [`MapError`].
     pub fn drawn(
-        scene: &'s Scene,
+        scene: &'s S,
         plate: usize,
         axes: [MapAxis; 2],
         options: Options,
@@ -118,7 +118,7 @@ impl<'s> OutcomeMap<'s> {
     /// # Errors
     /// See [`MapError`].
     pub fn with_cells(
-        scene: &'s Scene,
+        scene: &'s S,
         plate: usize,
         axes: [MapAxis; 2],
         options: Options,
@@ -135,7 +135,7 @@ impl<'s> OutcomeMap<'s> {
     /// # Errors
     /// See [`MapError`].
     pub fn explored(
-        scene: &Scene,
+        scene: &S,
         plate: usize,
         axes: &[MapAxis; 2],
         options: Options,
@@ -206,12 +206,12 @@ impl<'s> OutcomeMap<'s> {
 }
 
 /// The feeder at a point of the plane; `step` is called for each.
-fn feeder(
-    scene: &Scene,
+fn feeder<S: Drawn>(
+    scene: &S,
     axes: &[MapAxis; 2],
     step: impl Fn() + Sync,
-) -> Result<impl Fn(f64, f64) -> Option<Feeder> + Sync, Problems> {
-    let variants = scene.variants(&[axes[0].path.as_str(), axes[1].path.as_str()])?;
+) -> Result<impl Fn(f64, f64) -> Option<S::Feeder> + Sync, Problems> {
+    let variants = Variants::over(scene, &[axes[0].path.as_str(), axes[1].path.as_str()])?;
     let [across, up] = axes.clone();
     Ok(move |x: f64, y: f64| {
         step();

@@ -1,11 +1,27 @@
 //! A part in space on its way through a feeder: its page, and the files of its run.
 
-use super::MADE_BY;
+use super::{MADE_BY, shown as shown_limit};
 use carom_feeder::spatial::Run;
-use carom_figure::{LiveSolid, SpaceFigure, Wish, live_space, space_report};
-use carom_scene::{SpaceRunReport, SpaceScene};
+use carom_figure::{LiveSolid, SpaceFigure, Wish, live_space, space_glb, space_report};
+use carom_scene::{FoundLimits, SpaceRunReport, SpaceScene};
 use carom_words::part;
 use std::fmt::Write as _;
+
+/// What a run says, with how far each quantity may move.
+///
+/// # Example
+/// ```
+/// use carom::{scene::{FoundLimits, SpaceScene}, tasks::space::run_report};
+/// let text = "part = { box = [0.04, 0.01, 0.02], mass = 0.06 }\ncontact = { friction = 0.5 }\nstart = { to_edge = 0.1 }\n[[plate]]\nslope = \"15 deg\"";
+/// let scene = SpaceScene::parse("stays.toml", text)?;
+/// let none = FoundLimits { limits: vec![], runs: 1 };
+/// assert_eq!(run_report(&scene, &scene.feeder().run()?, Some(&none)).limit_runs, Some(1));
+/// # Ok::<(), carom::Error>(())
+/// ```
+pub fn run_report(scene: &SpaceScene, run: &Run, limits: Option<&FoundLimits>) -> SpaceRunReport {
+    let (found, runs) = (limits.map(|found| found.limits.clone()), limits.map(|found| found.runs));
+    SpaceRunReport { limits: found, limit_runs: runs, ..SpaceRunReport::new(scene, run) }
+}
 
 /// The files of a run, the one to look at last: the way as CSV, the result as JSON, the report as one HTML page.
 ///
@@ -17,19 +33,28 @@ use std::fmt::Write as _;
 /// use carom::{scene::SpaceScene, tasks::space::run_files};
 /// let text = "part = { box = [0.04, 0.01, 0.02], mass = 0.06 }\ncontact = { friction = 0.5 }\nstart = { to_edge = 0.1 }\n[[plate]]\nslope = \"15 deg\"";
 /// let scene = SpaceScene::parse("stays.toml", text)?;
-/// let files = run_files(&scene, &scene.feeder().run()?).unwrap();
+/// let files = run_files(&scene, &scene.feeder().run()?, None).unwrap();
 /// assert!(files.iter().any(|(name, text)| *name == "run.json" && text.contains("stuck")));
 /// assert!(files.last().is_some_and(|(name, text)| *name == "report.html" && text.contains("Stuck")));
 /// # Ok::<(), carom::Error>(())
 /// ```
-pub fn run_files(scene: &SpaceScene, run: &Run) -> Result<Vec<(&'static str, String)>, serde_json::Error> {
-    let report = SpaceRunReport::new(scene, run);
+pub fn run_files(
+    scene: &SpaceScene,
+    run: &Run,
+    limits: Option<&FoundLimits>,
+) -> Result<Vec<(&'static str, String)>, serde_json::Error> {
+    let report = run_report(scene, run, limits);
     let result = serde_json::to_string_pretty(&report)?;
     Ok(vec![
         ("trace.csv", trace(run)),
         ("run.json", format!("{result}\n")),
         ("report.html", shown(scene, run, &report, space_report)),
     ])
+}
+
+/// The run as one file of glTF 2.0, with the motion, for whatever shows models in space: see [`space_glb`].
+pub fn motion_glb(scene: &SpaceScene, run: &Run) -> Vec<u8> {
+    space_glb(scene.feeder(), run)
 }
 
 /// The report of a run piece by piece, for a page that stays open.
@@ -64,12 +89,14 @@ fn shown<T>(
         want: wanted.want.clone(),
         met: wanted.met,
     };
+    let limits = report.limits.iter().flatten();
     show(&SpaceFigure {
         title: scene.name(),
         feeder,
         run,
         wanted: &report.wanted.iter().map(wish).collect::<Vec<_>>(),
         margins: &report.faces.iter().map(|face| face.margin_m).collect::<Vec<_>>(),
+        limits: &limits.filter_map(|limit| shown_limit(scene, limit)).collect::<Vec<_>>(),
         approximations: &report.approximations.iter().map(|found| found.text.clone()).collect::<Vec<_>>(),
         notes: scene.notes(),
         source: scene.source(),

@@ -1,7 +1,7 @@
 //! What is kept of each drop of many: the columns of the tables of `carom sweep`.
 
 use carom_scene::columns::Column;
-use carom_study::Dropped;
+use carom_study::{Dropped, Landed};
 use carom_words::{Words, study};
 
 /// The columns, with their units.
@@ -26,21 +26,21 @@ pub const FOUND: [(&str, &str); 8] = [
 /// let [ending, ..] = found(&drops, 0);
 /// assert_eq!(ending, Column::Word(["delivered", "stuck"].map(|word| Some(word.to_owned())).to_vec()));
 /// ```
-pub fn found(drops: &[Dropped], plate: usize) -> [Column; FOUND.len()] {
-    let number = |of: &dyn Fn(&Dropped) -> Option<f64>| Column::Number(drops.iter().map(of).collect());
-    let word = |of: &dyn Fn(&Dropped) -> Option<String>| Column::Word(drops.iter().map(of).collect());
-    let landing = |dropped: &Dropped| {
+pub fn found<R: Landed>(drops: &[Dropped<R>], plate: usize) -> [Column; FOUND.len()] {
+    let number = |of: &dyn Fn(&Dropped<R>) -> Option<f64>| Column::Number(drops.iter().map(of).collect());
+    let word = |of: &dyn Fn(&Dropped<R>) -> Option<String>| Column::Word(drops.iter().map(of).collect());
+    let landing = |dropped: &Dropped<R>| {
         let run = dropped.run.as_ref()?;
-        run.landings.iter().find(|landing| landing.plate == plate).copied()
+        run.landings().iter().find(|landing| landing.plate == plate).copied()
     };
     [
         word(&|d| Some(study::ending(d.ending))),
-        word(&|d| d.run.as_ref().map(|run| run.outcome.word().to_owned())),
+        word(&|d| d.run.as_ref().map(|run| run.outcome().word().to_owned())),
         number(&|d| landing(d).map(|l| l.impact_speed)),
         number(&|d| landing(d).map(|l| l.max_sliding_speed)),
         number(&|d| landing(d).map(|l| l.first_touch)),
         number(&|d| landing(d).and_then(|l| l.flat)),
-        number(&|d| d.run.as_ref().map(|run| run.end_time)),
-        number(&Dropped::margin),
+        number(&|d| d.run.as_ref().map(|run| run.end_time())),
+        number(&Dropped::<R>::margin),
     ]
 }

@@ -5,7 +5,7 @@ use crate::tasks::axes::{Asker, Key, keys, quantity, unknown};
 use crate::tasks::records::placed;
 use carom_feeder::Outcome;
 use carom_scene::unit::Dimension;
-use carom_scene::{Problem, ProblemKind, Problems, Scene};
+use carom_scene::{Drawn, Problem, ProblemKind, Problems, Scene};
 use carom_study::Ending;
 use carom_study::fits::{Observation, Seen, Timed};
 use carom_words::study;

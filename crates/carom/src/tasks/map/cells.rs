@@ -2,7 +2,7 @@
 
 use super::MapStudy;
 use carom_scene::columns::{Column, ColumnsError};
-use carom_scene::{CellsEndingReport, CellsReport, EndingWord};
+use carom_scene::{CellsEndingReport, CellsReport, Drawn, EndingWord};
 use carom_study::Ending;
 use carom_study::regions::Range;
 use carom_words::study;
@@ -64,7 +64,7 @@ impl MapCells {
     }
 }
 
-impl MapStudy<'_> {
+impl<S: Drawn> MapStudy<'_, S> {
     /// How every cell ends, as CSV: the middle of each, with axes as the picture has them. `None` where cells were not asked for.
     pub fn cells_csv(&self) -> Option<String> {
         let cells = self.cells.as_ref()?;

@@ -6,14 +6,15 @@ use crate::tasks::regions::report::{axis, boundaries, junctions, labels};
 use crate::tasks::tolerance::ON_A_LINE;
 use carom_figure::regions_csv;
 use carom_scene::columns::{Column, ColumnsError, Table};
-use carom_scene::{MapReport, RegionsAxisReport, SpanReport, StudyRunReport};
+use carom_scene::{Drawn, MapReport, RegionsAxisReport, SpanReport, StudyRunReport};
 use carom_study::Ending;
 use carom_study::map::Node;
 use carom_words::number::{ascii as fixed, plain};
-use carom_words::{aligned, part, study};
+use carom_words::part::{self, Names};
+use carom_words::{aligned, study};
 use std::fmt::Write as _;
 
-impl MapStudy<'_> {
+impl<S: Drawn> MapStudy<'_, S> {
     /// What it says to a person.
     pub fn text(&self, seconds: f64) -> String {
         let drawn = self;
@@ -74,7 +75,7 @@ impl MapStudy<'_> {
         MapReport {
             scene: drawn.map.scene.name().to_owned(),
             approximations: drawn.map.scene.approximations().to_vec(),
-            plate: drawn.map.scene.feeder().plates[drawn.map.plate].name.clone(),
+            plate: drawn.map.scene.feeder().given(drawn.map.plate).to_owned(),
             axes: [0, 1].map(|k| RegionsAxisReport {
                 // With cells, regions are sought on a coarser grid than the axes say.
                 cells: [regions.x, regions.y][k].count,
@@ -142,7 +143,7 @@ impl MapStudy<'_> {
         }
         let about = [
             ("scene", self.map.scene.source()),
-            ("plate", &self.map.scene.feeder().plates[self.map.plate].name),
+            ("plate", self.map.scene.feeder().given(self.map.plate)),
             ("version", env!("CARGO_PKG_VERSION")),
         ];
         let mut table = Table::new(&columns, &units, &about)?;
@@ -152,7 +153,7 @@ impl MapStudy<'_> {
 }
 
 /// The lowest and the highest of a measure.
-fn span(drawn: &MapStudy<'_>, measure: impl Fn(&Node) -> Option<f64>) -> Option<SpanReport> {
+fn span(drawn: &MapStudy<'_, impl Drawn>, measure: impl Fn(&Node) -> Option<f64>) -> Option<SpanReport> {
     drawn.map.map.nodes.iter().filter_map(measure).fold(None, |span, value| {
         let span = span.unwrap_or(SpanReport { low: value, high: value });
         Some(SpanReport { low: span.low.min(value), high: span.high.max(value) })

@@ -3,7 +3,7 @@
 use super::{MapCells, MapError, OutcomeMap};
 use crate::tasks::StudyError;
 use crate::tasks::axes::{Asker, Complaints, Plane, keys, named, plate, read};
-use carom_scene::Scene;
+use carom_scene::{Drawn, Scene};
 use carom_study::map::cells_options;
 use carom_study::regions::{LEAST_ACCURACY, Options, Range};
 
@@ -54,7 +54,7 @@ impl<'a> MapAsked<'a> {
     ///
     /// # Errors
     /// Everything that is wrong with what is asked.
-    pub fn read(&self, scene: &Scene) -> Result<(Scene, usize, Plane), StudyError> {
+    pub fn read<S: Drawn>(&self, scene: &S) -> Result<(S, usize, Plane), StudyError> {
         let mut complaints = Complaints::of(self.asker);
         let plate = plate(scene, self.plate, &mut complaints);
         let [x, y] = self.axes.map(|axis| named(scene, axis));
@@ -89,9 +89,9 @@ impl<'a> MapAsked<'a> {
 /// assert!(study.text(0.1).contains("how a drop ends on \"lower\""));
 /// # Ok::<(), carom::Error>(())
 /// ```
-pub struct MapStudy<'s> {
+pub struct MapStudy<'s, S: Drawn = Scene> {
     /// The map.
-    pub map: OutcomeMap<'s>,
+    pub map: OutcomeMap<'s, S>,
     /// Over what it is.
     pub plane: Plane,
     /// How finely boundaries are located, as a share of the axes.
@@ -100,13 +100,13 @@ pub struct MapStudy<'s> {
     pub cells: Option<MapCells>,
 }
 
-impl<'s> MapStudy<'s> {
+impl<'s, S: Drawn> MapStudy<'s, S> {
     /// Draws over what [`MapAsked::read`] found; `step` is called after each drop.
     ///
     /// # Errors
     /// A quantity that is named twice; a range, an accuracy or a depth that cannot be.
     pub fn drawn(
-        scene: &'s Scene,
+        scene: &'s S,
         plate: usize,
         plane: Plane,
         asked: &MapAsked<'_>,
