@@ -1,11 +1,11 @@
 //! A run in space as one binary file of glTF 2.0: the part, plates and walls as meshes, and the part's motion as an animation, for whatever shows models in space.
 
+use crate::player::json_text;
 use crate::solid::SolidInstant;
 use crate::space_scene::SpaceScene;
 use carom_feeder::spatial::{Feeder, Run};
 use carom_num::Vec3;
 use carom_num::solve::dot;
-use serde_json::{Value, json};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// `glTF`, the version of the container, and the types of its two chunks.
@@ -41,21 +41,20 @@ pub fn space_glb(feeder: &Feeder, run: &Run) -> Vec<u8> {
     let shown = scene.figure(feeder);
     let mut file = File::default();
     let part = file.mesh("part", &part_pieces(feeder));
-    let mut nodes = vec![json!({ "name": "part", "mesh": part })];
-    if let Some(first) = scene.instants.first() {
-        nodes[0]["translation"] = json!(first.centre.to_array());
-        nodes[0]["rotation"] = json!(turn(first));
-    }
+    let placed = scene.instants.first().map_or(String::new(), |first| {
+        format!(r#","translation":{:?},"rotation":{:?}"#, first.centre.to_array(), turn(first))
+    });
+    let mut nodes = vec![format!(r#"{{"name":"part","mesh":{part}{placed}}}"#)];
     for plate in shown.around {
         let mesh = file.mesh(&plate.name, &[(PLATE, fan(&plate.corners))]);
-        nodes.push(json!({ "name": plate.name, "mesh": mesh }));
+        nodes.push(format!(r#"{{"name":{},"mesh":{mesh}}}"#, json_text(&plate.name)));
     }
     let animation = file.animation(&scene);
     // The picture has z upwards, glTF has y.
     let children: Vec<usize> = (0..nodes.len()).collect();
     let turned = [-FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2];
-    nodes.push(json!({ "name": "drawing", "rotation": turned, "children": children }));
-    file.whole(nodes, animation)
+    nodes.push(format!(r#"{{"name":"drawing","rotation":{turned:?},"children":{children:?}}}"#));
+    file.whole(&nodes, &animation)
 }
 
 /// The triangles of the part by their materials.
@@ -88,9 +87,9 @@ fn fan(corners: &[Vec3]) -> Vec<[Vec3; 3]> {
 #[derive(Default)]
 struct File {
     bytes: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
-    meshes: Vec<Value>,
+    views: Vec<String>,
+    accessors: Vec<String>,
+    meshes: Vec<String>,
 }
 
 impl File {
@@ -99,22 +98,17 @@ impl File {
         let offset = self.bytes.len();
         let single: Vec<[f32; N]> = rows.iter().map(|row| row.map(|x| x as f32)).collect();
         single.iter().flatten().for_each(|x| self.bytes.extend(x.to_le_bytes()));
-        let mut view = json!({ "buffer": 0, "byteOffset": offset, "byteLength": self.bytes.len() - offset });
-        if vertices {
-            view["target"] = json!(VERTICES);
-        }
-        self.views.push(view);
+        let target = if vertices { format!(r#","target":{VERTICES}"#) } else { String::new() };
+        let length = self.bytes.len() - offset;
+        self.views.push(format!(r#"{{"buffer":0,"byteOffset":{offset},"byteLength":{length}{target}}}"#));
         let end = |of: fn(f32, f32) -> f32| -> Vec<f32> {
             (0..N).filter_map(|k| single.iter().map(|row| row[k]).reduce(of)).collect()
         };
-        self.accessors.push(json!({
-            "bufferView": self.views.len() - 1,
-            "componentType": FLOAT,
-            "count": rows.len(),
-            "type": of,
-            "min": end(f32::min),
-            "max": end(f32::max),
-        }));
+        let (view, count) = (self.views.len() - 1, rows.len());
+        let (least, most) = (end(f32::min), end(f32::max));
+        self.accessors.push(format!(
+            r#"{{"bufferView":{view},"componentType":{FLOAT},"count":{count},"type":"{of}","min":{least:?},"max":{most:?}}}"#
+        ));
         self.accessors.len() - 1
     }
 
@@ -126,18 +120,20 @@ impl File {
             let normal = |[a, b, c]: &[Vec3; 3]| (*b - *a).cross(*c - *a).unit().unwrap_or(Vec3::Z);
             let normals: Vec<[f64; 3]> = triangles.iter().flat_map(|t| [normal(t).to_array(); 3]).collect();
             let (places, normals) = (self.rows("VEC3", true, &places), self.rows("VEC3", true, &normals));
-            primitives.push(json!({
-                "attributes": { "POSITION": places, "NORMAL": normals },
-                "material": material,
-                "mode": TRIANGLES,
-            }));
+            primitives.push(format!(
+                r#"{{"attributes":{{"POSITION":{places},"NORMAL":{normals}}},"material":{material},"mode":{TRIANGLES}}}"#
+            ));
         }
-        self.meshes.push(json!({ "name": name, "primitives": primitives }));
+        self.meshes.push(format!(
+            r#"{{"name":{},"primitives":[{}]}}"#,
+            json_text(name),
+            primitives.join(",")
+        ));
         self.meshes.len() - 1
     }
 
-    /// The motion of the part, which is the first node; none where it does not move.
-    fn animation(&mut self, scene: &SpaceScene) -> Vec<Value> {
+    /// The motion of the part, which is the first node; nothing where it does not move.
+    fn animation(&mut self, scene: &SpaceScene) -> String {
         // Before and after a strike the part is at the same place: times must rise, in single precision too.
         let mut kept: Vec<usize> = vec![];
         for (i, instant) in scene.instants.iter().enumerate() {
@@ -147,7 +143,7 @@ impl File {
             }
         }
         if kept.len() < 2 {
-            return vec![];
+            return String::new();
         }
         let instants = || kept.iter().map(|k| &scene.instants[*k]);
         let times: Vec<[f64; 1]> = instants().map(|at| [at.time]).collect();
@@ -161,46 +157,43 @@ impl File {
         }
         let input = self.rows("SCALAR", false, &times);
         let outputs = [self.rows("VEC3", false, &places), self.rows("VEC4", false, &turns)];
-        let sampler = |output: &usize| json!({ "input": input, "interpolation": "LINEAR", "output": output });
-        let channel = |k: usize, path: &str| json!({ "sampler": k, "target": { "node": 0, "path": path } });
-        vec![json!({
-            "name": "motion",
-            "samplers": outputs.iter().map(sampler).collect::<Vec<_>>(),
-            "channels": [channel(0, "translation"), channel(1, "rotation")],
-        })]
+        let sampler =
+            |output: usize| format!(r#"{{"input":{input},"interpolation":"LINEAR","output":{output}}}"#);
+        let channel =
+            |k: usize, path: &str| format!(r#"{{"sampler":{k},"target":{{"node":0,"path":"{path}"}}}}"#);
+        let (samplers, channels) =
+            (outputs.map(sampler).join(","), [channel(0, "translation"), channel(1, "rotation")].join(","));
+        format!(r#"{{"name":"motion","samplers":[{samplers}],"channels":[{channels}]}}"#)
     }
 
     /// The file as a whole; the last node holds all others.
-    fn whole(self, nodes: Vec<Value>, animations: Vec<Value>) -> Vec<u8> {
-        let root = nodes.len() - 1;
-        let material = |name: &str, [r, g, b, a]: [f64; 4]| {
-            json!({
-                "name": name,
-                "doubleSided": true,
-                "alphaMode": if a < 1.0 { "BLEND" } else { "OPAQUE" },
-                "pbrMetallicRoughness": { "baseColorFactor": [r, g, b, a], "metallicFactor": 0.1, "roughnessFactor": 0.8 },
-            })
+    fn whole(self, nodes: &[String], animation: &str) -> Vec<u8> {
+        let material = |name: &str, colour: [f64; 4]| {
+            let mode = if colour[3] < 1.0 { "BLEND" } else { "OPAQUE" };
+            format!(
+                r#"{{"name":"{name}","doubleSided":true,"alphaMode":"{mode}","pbrMetallicRoughness":{{"baseColorFactor":{colour:?},"metallicFactor":0.1,"roughnessFactor":0.8}}}}"#
+            )
         };
-        let mut tree = json!({
-            "asset": { "version": "2.0", "generator": concat!("carom ", env!("CARGO_PKG_VERSION")) },
-            "scene": 0,
-            "scenes": [{ "nodes": [root] }],
-            "nodes": nodes,
-            "meshes": self.meshes,
-            "materials": [
-                material("part", [0.55, 0.6, 0.68, 1.0]),
-                material("face that was down at the start", [0.9, 0.45, 0.1, 1.0]),
-                material("plates and walls", [0.75, 0.75, 0.72, 0.6]),
-            ],
-            "accessors": self.accessors,
-            "bufferViews": self.views,
-            "buffers": [{ "byteLength": self.bytes.len() }],
-        });
+        let materials = [
+            material("part", [0.55, 0.6, 0.68, 1.0]),
+            material("face that was down at the start", [0.9, 0.45, 0.1, 1.0]),
+            material("plates and walls", [0.75, 0.75, 0.72, 0.6]),
+        ];
+        let list = |name: &str, of: &[String]| format!(r#","{name}":[{}]"#, of.join(","));
         // A list without members is not allowed.
-        if !animations.is_empty() {
-            tree["animations"] = json!(animations);
-        }
-        let text = padded(tree.to_string().into_bytes(), b' ');
+        let moves =
+            if animation.is_empty() { String::new() } else { format!(r#","animations":[{animation}]"#) };
+        let tree = [
+            format!(r#"{{"asset":{{"version":"2.0","generator":"carom {}"}}"#, env!("CARGO_PKG_VERSION")),
+            format!(r#","scene":0,"scenes":[{{"nodes":[{}]}}]"#, nodes.len() - 1),
+            list("nodes", nodes),
+            list("meshes", &self.meshes),
+            list("materials", &materials),
+            list("accessors", &self.accessors),
+            list("bufferViews", &self.views),
+            format!(r#","buffers":[{{"byteLength":{}}}]{moves}}}"#, self.bytes.len()),
+        ];
+        let text = padded(tree.concat().into_bytes(), b' ');
         let binary = padded(self.bytes, 0);
         let length = 12 + 8 + text.len() + 8 + binary.len();
         let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX).to_le_bytes();

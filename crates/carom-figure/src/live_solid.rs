@@ -50,6 +50,7 @@ pub fn live_solid(figure: &SolidFigure<'_>) -> LiveSolid {
 ///     run: &run,
 ///     wanted: &[],
 ///     margins: &[],
+///     limits: &[],
 ///     approximations: &[],
 ///     notes: &[],
 ///     source: "",
