@@ -1,12 +1,13 @@
 //! How far each quantity may move alone before the verdict flips: what is told of it.
 
+use crate::args::RunOptions;
 use crate::printed::tell;
 use carom_scene::{Drawn, FoundLimits, LimitEnd, labelled};
 use carom_words::aligned;
 use std::time::{Duration, Instant};
 
 /// Says on stderr how far a search is, at most once a second and never in its first one.
-pub(crate) fn progress(scene: &str) -> impl FnMut(&str, u64) {
+fn progress(scene: &str) -> impl FnMut(&str, u64) {
     let mut last = Instant::now();
     move |path: &str, runs: u64| {
         if last.elapsed() >= Duration::from_secs(1) {
@@ -15,6 +16,11 @@ pub(crate) fn progress(scene: &str) -> impl FnMut(&str, u64) {
             tell(&format!("limits of {scene}: {path}, {runs} runs so far"));
         }
     }
+}
+
+/// The limits, where they are asked for.
+pub(crate) fn sought(scene: &impl Drawn, options: &RunOptions) -> Option<FoundLimits> {
+    options.limits.then(|| FoundLimits::of(scene, &mut progress(scene.name())))
 }
 
 /// The limits as a table.

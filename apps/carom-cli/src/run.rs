@@ -36,9 +36,8 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
         fed.push(pipeline::feed(&scene)?);
         done.push((scene, run));
     }
-    let found = |scene: &Scene| FoundLimits::of(scene, &mut limits::progress(scene.name()));
     let limits: Vec<Option<FoundLimits>> =
-        done.iter().map(|(scene, _)| options.limits.then(|| found(scene))).collect();
+        done.iter().map(|(scene, _)| limits::sought(scene, options)).collect();
     match output.format {
         Format::Text => print_text(&done, &fed, &limits, options.paper, out)?,
         Format::Json => print_json(&done, &fed, &limits, out)?,
@@ -78,7 +77,7 @@ fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
             AnyScene::Space(scene) => return Ok(serde_json::to_string(&space::report(&scene, options)?)?),
         };
         let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
-        let found = options.limits.then(|| FoundLimits::of(&scene, &mut limits::progress(name)));
+        let found = limits::sought(&scene, options);
         Ok(serde_json::to_string(&tasks::run_report(&scene, &run, fed.as_ref(), found.as_ref()))?)
     })
 }

@@ -41,7 +41,7 @@ pub(crate) fn run(
         let (report, text, path) = match scene {
             AnyScene::Plane(scene) => {
                 let (run, fed) = (pipeline::run(&scene)?, pipeline::feed(&scene)?);
-                let found = sought(&*scene, options);
+                let found = limits::sought(&*scene, options);
                 let found = found.as_ref();
                 let report = Told::Plane(Box::new(tasks::run_report(&scene, &run, fed.as_ref(), found)));
                 let text =
@@ -50,7 +50,7 @@ pub(crate) fn run(
             }
             AnyScene::Space(scene) => {
                 let run = followed(&scene)?;
-                let found = sought(&*scene, options);
+                let found = limits::sought(&*scene, options);
                 let found = found.as_ref();
                 let report = Told::Space(Box::new(space_tasks::run_report(&scene, &run, found)));
                 let mut path =
@@ -76,19 +76,14 @@ pub(crate) fn run(
     Ok(())
 }
 
-/// How far each quantity may move, where that is asked.
-fn sought(scene: &impl Drawn, options: &RunOptions) -> Option<FoundLimits> {
-    options.limits.then(|| FoundLimits::of(scene, &mut limits::progress(scene.name())))
-}
-
-/// What is told of that.
+/// What is told of how far each quantity may move.
 fn told(scene: &impl Drawn, found: Option<&FoundLimits>) -> String {
     found.map_or(String::new(), |found| format!("\n{}\n", limits::text(scene, found).trim_end()))
 }
 
 /// The result of a run, for a line of many.
 pub(crate) fn report(scene: &SpaceScene, options: &RunOptions) -> Result<SpaceRunReport, Failure> {
-    let found = sought(scene, options);
+    let found = limits::sought(scene, options);
     Ok(space_tasks::run_report(scene, &followed(scene)?, found.as_ref()))
 }
 
