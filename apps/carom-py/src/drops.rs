@@ -6,6 +6,7 @@ use crate::scene::Scene;
 use crate::table::{Data, Named, Table};
 use crate::watch::long;
 use carom::tasks::sweep::{FOUND, found};
+use carom_scene::Drawn;
 use carom_study::sweep;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
