@@ -108,6 +108,24 @@ pub fn rates_through<const D: usize>(start: &[f64; D], states: &Stages<D>, lengt
     Some(rates)
 }
 
+/// The rate with which a step starts that has these rates at its stages: where the right-hand side is not known there.
+///
+/// # Example
+/// Rates on the line 5 + 2 x start with 5.
+/// ```
+/// use carom_num::radau::{NODES, rate_before};
+/// let [start] = rate_before(&NODES.map(|node| [5.0 + 2.0 * node]));
+/// assert!((start - 5.0).abs() < 1e-13);
+/// ```
+pub fn rate_before<const D: usize>(rates: &Stages<D>) -> [f64; D] {
+    let share = |j: usize| {
+        let others = NODES.iter().enumerate().filter(|(k, _)| *k != j);
+        others.map(|(_, other)| other / (other - NODES[j])).product::<f64>()
+    };
+    let shares: [f64; STAGES] = std::array::from_fn(share);
+    std::array::from_fn(|d| shares.iter().zip(rates).map(|(share, rate)| share * rate[d]).sum())
+}
+
 /// The states at the stages of a step of `length` from `start`, from a guess of the rates there; M must be five times D. `None` where Newton's method does not
 /// find them.
 ///

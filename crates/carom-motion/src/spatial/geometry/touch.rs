@@ -341,8 +341,36 @@ impl World {
 
     /// True where a support may touch, were its height zero: its place is on the face or the edges, and does not leave them at their very end.
     pub(in crate::spatial) fn is_within(&self, number: usize, state: &State) -> bool {
+        let faces = match self.pair(number) {
+            Some(pair) => pair.faces(state.pose()),
+            None => self.limits(number) == 0 || self.turned_away(number, state) <= 0.0,
+        };
+        faces && self.shut_out(number, state).is_none()
+    }
+
+    /// The limit of a face or an edge that a place is beyond, and whether it is by so much that it has to come back first; else it is there and does not come in.
+    pub(in crate::spatial) fn shut_out(&self, number: usize, state: &State) -> Option<(usize, bool)> {
+        let cases = (0..self.limits(number)).flat_map(|limit| [(limit, true), (limit, false)]);
+        let is = |case: &(usize, bool)| {
+            let [margin, rate] = self.kept_out(number, *case, state);
+            margin >= 0.0 && rate > 0.0
+        };
+        cases.into_iter().find(is)
+    }
+
+    /// What stays positive as long as that does: by how far the place is beyond, and how slowly it comes in [m, m/s].
+    pub(in crate::spatial) fn kept_out(
+        &self,
+        number: usize,
+        (limit, far): (usize, bool),
+        state: &State,
+    ) -> [f64; 2] {
         let beyond = BEYOND_END * self.body().reach();
-        let rate = |limit: usize| match self.pair(number) {
+        let margin = self.margin(number, limit, state.pose());
+        if far {
+            return [-beyond - margin, 1.0];
+        }
+        let rate = match self.pair(number) {
             Some(pair) => pair.margin_rate(limit, state),
             None => {
                 let velocity = state.velocity_of(self.arm(number, state.pose()));
@@ -352,14 +380,6 @@ impl World {
         let still = self.still(state);
         // An edge that ends just on another one touches with its corner: a box slides over the seam of two plates.
         let least = if matches!(self.pair(number), Some(Pair::Cross { .. })) { still } else { -still };
-        let stays = |limit: usize| {
-            let margin = self.margin(number, limit, state.pose());
-            margin > 0.5 * beyond || margin >= -beyond && rate(limit) >= least
-        };
-        let faces = match self.pair(number) {
-            Some(pair) => pair.faces(state.pose()),
-            None => self.limits(number) == 0 || self.turned_away(number, state) <= 0.0,
-        };
-        faces && (0..self.limits(number)).all(stays)
+        [0.5 * beyond - margin, least - rate]
     }
 }

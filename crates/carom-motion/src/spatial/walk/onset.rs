@@ -90,12 +90,15 @@ impl Sliding<'_> {
         while length >= (SHORTEST_IMPLICIT_STEP * time).min(most) {
             if let Some(whole) = self.implicit(y, &self.guess(y, rate, length), length, tolerance)
                 && let Some(step) = self.collocated((y, rate), &whole, length)
-                && let Some(end) = self.in_halves(y, &step, tolerance)
+                && let Some([middle, end]) = self.in_halves(y, &step, tolerance)
             {
-                let (a, b) = (whole[STAGES - 1], end);
-                let apart = |d: usize| (a[d] - b[d]).abs() / tolerance[d];
-                let error = (0..a.len()).map(apart).fold(0.0, f64::max);
-                let sound = a.iter().chain(&b).chain(&self.rate(&b)).all(|v| v.is_finite());
+                let apart = |a: &Vector, b: &Vector| {
+                    (0..a.len()).map(|d| (a[d] - b[d]).abs() / tolerance[d]).fold(0.0, f64::max)
+                };
+                let last = whole[STAGES - 1];
+                // Events are searched on what is between the ends.
+                let error = apart(&last, &end).max(apart(&step.at(0.5), &middle));
+                let sound = last.iter().chain(&end).chain(&self.rate(&end)).all(|v| v.is_finite());
                 if error <= WITHIN && sound {
                     let next = if error < EASY_STEP * WITHIN { 2.0 * length } else { length };
                     return Some((step, next));
@@ -106,16 +109,16 @@ impl Sliding<'_> {
         None
     }
 
-    /// The end of a step in two halves.
-    fn in_halves(&self, y: &Vector, step: &Step<Vector>, tolerance: &Vector) -> Option<Vector> {
+    /// The middle and the end of a step in two halves.
+    fn in_halves(&self, y: &Vector, step: &Step<Vector>, tolerance: &Vector) -> Option<[Vector; 2]> {
         let length = 0.5 * step.length;
-        let mut at = *y;
-        for half in [0.0, 0.5] {
-            let near = NODES.map(|c| step.at(half + 0.5 * c));
-            let guess = radau::rates_through(&at, &near, length)?;
-            at = self.implicit(&at, &guess, length, tolerance)?[STAGES - 1];
-        }
-        Some(at)
+        let half = |from: &Vector, start: f64| {
+            let near = NODES.map(|c| step.at(start + 0.5 * c));
+            let guess = radau::rates_through(from, &near, length)?;
+            Some(self.implicit(from, &guess, length, tolerance)?[STAGES - 1])
+        };
+        let middle = half(y, 0.0)?;
+        Some([middle, half(&middle, 0.5)?])
     }
 
     /// The end of an implicit step of a length.
@@ -183,7 +186,7 @@ impl Sliding<'_> {
         })
     }
 
-    /// The step through the stages.
+    /// The step through the stages. Where slips start, their direction at the very start is known from those alone.
     fn collocated(
         &self,
         start: (&Vector, &Vector),
@@ -192,7 +195,10 @@ impl Sliding<'_> {
     ) -> Option<Step<Vector>> {
         let end = stages[STAGES - 1];
         let between = std::array::from_fn(|i| (NODES[i], stages[i]));
-        Step::through((*start.0, *start.1), &between, (end, self.rate(&end)), length)
+        let rates = stages.map(|stage| self.rate(&stage));
+        let starts = !self.resting(&self.moment(start.0)).is_empty();
+        let first = if starts { radau::rate_before(&rates) } else { *start.1 };
+        Step::through((*start.0, first), &between, (end, rates[STAGES - 1]), length)
     }
 }
 

@@ -160,7 +160,11 @@ impl<'w> Walker<'w> {
             BodyMode::Slides { .. } => self.slips_against(Supports::one(which))?,
             _ => self.slips_from_rest(which)?,
         };
-        self.enter(carries, held)
+        // Where a slip against its friction cannot grow from nothing, the support lets go or slips elsewhere at once.
+        let Carries { sticking, slipping, leads } = &carries;
+        let (sliding, first) =
+            self.sliding_on(&Carried { sticking: *sticking, slipping: *slipping, leads })?;
+        if sliding.starts_smoothly(&first) { self.enter(carries, held) } else { self.slips_apart(None, held) }
     }
 
     /// Of a body that slides some that stuck slip too, against their friction.

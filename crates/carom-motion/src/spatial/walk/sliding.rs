@@ -61,7 +61,7 @@ pub(super) struct Slowing {
 #[derive(Clone, Debug)]
 pub(in crate::spatial) struct Sliding<'w> {
     world: &'w World,
-    body: &'w Body,
+    pub(super) body: &'w Body,
     scales: Scales,
     /// Gravity along the tangents and the normal of the foot's plane.
     gravity: Vec3,

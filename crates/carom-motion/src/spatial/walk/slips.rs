@@ -6,7 +6,7 @@ use super::sliding::{DIMENSIONS, SLIP, Sliding, Slowing, Vector, YAW};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::grip::Bearing;
 use crate::tolerance::SLIPS_ACROSS;
-use carom_num::Vec3;
+use carom_num::{Mat3, Vec3};
 
 impl Sliding<'_> {
     /// The slips that friction acts against.
@@ -66,15 +66,34 @@ impl Sliding<'_> {
         self.carriers.iter().zip(&now.speeds).filter(starts).map(|(c, _)| c.support).collect()
     }
 
-    /// On several planes: the least motion in which the slips have their directions.
+    /// On several planes: the least motion in which the slips have their directions, and the speed 1 in the mean.
+    ///
+    /// Of all motions in which no support leaves its plane or moves across its direction it is, by the body's own mass, the one nearest to what a push on every support along its
+    /// direction does.
     fn starting_apart(&self, now: &Moment, resting: Supports) -> Option<Vector> {
-        if resting.is_empty() {
-            return None;
-        }
-        let starts = |c: &Carrier| resting.contains(c.support);
-        let drive = |b: &Bearing, k: usize| if starts(&self.carriers[k]) { -b.toward } else { Vec3::ZERO };
-        let bearings = self.bearings(now, resting, drive);
-        Some(self.moved(&[0.0; DIMENSIONS], &bearings, now))
+        let starting: Vec<&Bearing> = self
+            .carriers
+            .iter()
+            .zip(&now.bearings)
+            .filter(|(c, _)| resting.contains(c.support))
+            .map(|(_, b)| b)
+            .collect();
+        let body = self.body;
+        let pushed = starting.iter().fold((Vec3::ZERO, Vec3::ZERO), |(velocity, spin), b| {
+            (velocity + b.toward / body.mass(), spin + body.mobility() * b.arm.cross(b.toward))
+        });
+        let moved = |(velocity, spin): (Vec3, Vec3), b: &Bearing| velocity + spin.cross(b.arm);
+        let mut bearings = self.bearings(now, Supports::NONE, |b, _| moved(pushed, b));
+        bearings.extend(starting.iter().map(|b| {
+            let axes = [b.up(), b.toward, b.up().cross(b.toward)];
+            Bearing { axes, friction: 0.0, sticks: false, drive: moved(pushed, b), ..**b }
+        }));
+        let (back, turned_back) = self.answered(&bearings);
+        let own = (pushed.0 + back, pushed.1 + turned_back);
+        let slips: f64 = starting.iter().map(|b| moved(own, b).dot(b.toward)).sum();
+        let scale = starting.len() as f64 / slips;
+        let start = self.changed(&[0.0; DIMENSIONS], own.0 * scale, own.1 * scale, now);
+        (slips > 0.0).then_some(start)
     }
 
     /// On one plane: the foot's slip, world axes, and the turn about the normal that goes with it.
@@ -103,6 +122,23 @@ impl Sliding<'_> {
                 Some((own.map_or(Vec3::ZERO, |c| c.lead * share), yaw))
             }
         }
+    }
+
+    /// True where slips can start with no acceleration and grow from there; of several supports it is taken to be so.
+    ///
+    /// The place of one support accelerates by `d + N W (n − μ e) = s e` in the direction e of its slip, W being the inverse mass that a force meets there and N
+    /// the normal force. Where the friction that sticks comes to the edge of its cone, N and e solve this with s = 0. Just beyond, with the small changes of d, N and e, the part of
+    /// it along `q = e + μ n`, which is square to `n − μ e` and to what e changes by, leaves `s (q · W⁻¹ e) = q · W⁻¹ δd`, and that is what sticking would take more than the cone holds.
+    /// So s is positive where `q · W⁻¹ e` is. In the plane that has the sign of `W_nn − μ W_nt`; in space it does not, and both are needed: N has that sign.
+    pub(in crate::spatial) fn starts_smoothly(&self, y: &Vector) -> bool {
+        let [bearing] = &self.moment(y).bearings[..] else { return true };
+        let Bearing { arm, toward, friction, .. } = *bearing;
+        let answers =
+            |force: Vec3| force / self.mass() + (self.body.mobility() * arm.cross(force)).cross(arm);
+        let felt = Mat3::of_columns(answers(Vec3::X), answers(Vec3::Y), answers(Vec3::Z));
+        let presses_out = bearing.up().dot(felt * (bearing.up() - toward * friction)) > 0.0;
+        let grows = |inverse: Mat3| (toward + bearing.up() * friction).dot(inverse * toward) > 0.0;
+        presses_out && felt.inverse().is_some_and(grows)
     }
 
     /// The forces on the carriers, world axes.

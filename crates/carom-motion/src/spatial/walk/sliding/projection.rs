@@ -58,7 +58,7 @@ impl Sliding<'_> {
     }
 
     /// How the mass centre and the body answer impulses that take the drives away: velocity and spin, body axes.
-    fn answered(&self, bearings: &[Bearing]) -> (Vec3, Vec3) {
+    pub(in crate::spatial) fn answered(&self, bearings: &[Bearing]) -> (Vec3, Vec3) {
         Grip { body: self.body, bearings }.taken_back()
     }
 
