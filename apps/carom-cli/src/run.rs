@@ -88,7 +88,7 @@ pub(crate) fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
 }
 
 /// The same of scenes in the plane or in space.
-fn read_any(paths: &[PathBuf]) -> Result<Vec<AnyScene>, Failure> {
+pub(crate) fn read_any(paths: &[PathBuf]) -> Result<Vec<AnyScene>, Failure> {
     read_each(paths, AnyScene::read)
 }
 
