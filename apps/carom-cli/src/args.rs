@@ -361,12 +361,12 @@ pub(crate) struct DesignOptions {
     /// Scene file with [design], `want` on plates, and tolerances.
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
-    /// Layouts of the first look.
-    #[arg(long, default_value_t = 4096, value_parser = clap::value_parser!(u64).range(16..=1 << 24))]
-    pub(crate) scan: u64,
-    /// Drops that the winner's yield is confirmed with; rounded up to 16 times a power of two.
-    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
-    pub(crate) samples: u64,
+    /// Layouts of the first look [default: 4096, of a solid part 512].
+    #[arg(long, value_parser = clap::value_parser!(u64).range(16..=1 << 24))]
+    pub(crate) scan: Option<u64>,
+    /// Drops that the winner's yield is confirmed with; rounded up to 16 times a power of two [default: 16384, of a solid part 1024].
+    #[arg(long, value_parser = clap::value_parser!(u64).range(16..=1 << 34))]
+    pub(crate) samples: Option<u64>,
     /// What every random number comes from.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,

@@ -83,7 +83,7 @@ fn usage(said: &clap::Error) -> Result<ExitCode, Failure> {
     // There is nowhere to report that stderr is closed.
     if !said.use_stderr() {
         printed?;
-    } else if let Err(problems) = run::read_any(&scenes_named()) {
+    } else if let Err(problems) = run::read(&scenes_named()) {
         tell(&format!("\n{problems}"));
     }
     Ok(ExitCode::from(u8::try_from(said.exit_code()).unwrap_or(2)))

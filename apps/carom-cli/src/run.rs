@@ -9,7 +9,7 @@ use crate::space;
 use crate::{feed, files, limits, paper, pipeline, table};
 use carom::tasks;
 use carom_feeder::{FeedRun, Run};
-use carom_scene::{AnyScene, FoundLimits, Problems, RunReport, Scene, toml_of_json};
+use carom_scene::{AnyScene, FoundLimits, RunReport, Scene, toml_of_json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ pub(crate) fn run(options: &RunOptions, output: &Output, out: &mut impl Write) -
     if options.scenes.iter().any(|path| is_stdin(path)) {
         return lines(options, out);
     }
-    let any = read_any(&options.scenes)?;
+    let any = read(&options.scenes)?;
     if any.iter().any(|scene| matches!(scene, AnyScene::Space(_))) {
         return space::run(any, options, output, out);
     }
@@ -82,20 +82,11 @@ fn lines(options: &RunOptions, out: &mut impl Write) -> Result<(), Failure> {
     })
 }
 
-/// Reads every scene, or says what is wrong with each.
-pub(crate) fn read(paths: &[PathBuf]) -> Result<Vec<Scene>, Failure> {
-    read_each(paths, Scene::read)
-}
-
-/// The same of scenes in the plane or in space.
-pub(crate) fn read_any(paths: &[PathBuf]) -> Result<Vec<AnyScene>, Failure> {
-    read_each(paths, AnyScene::read)
-}
-
-fn read_each<S>(paths: &[PathBuf], read: impl Fn(&Path) -> Result<S, Problems>) -> Result<Vec<S>, Failure> {
+/// Reads every scene, in the plane or in space, or says what is wrong with each.
+pub(crate) fn read(paths: &[PathBuf]) -> Result<Vec<AnyScene>, Failure> {
     let (mut scenes, mut problems) = (vec![], vec![]);
     for path in paths {
-        match read(path) {
+        match AnyScene::read(path) {
             Ok(scene) => scenes.push(scene),
             Err(found) => problems.push(found),
         }

@@ -161,24 +161,24 @@ impl Feeder {
     /// Pairs of plates that cross, by their numbers: such a feeder can be run, but not built. Plates that only touch do not cross, and plates as long as
     /// needed do not count.
     pub fn crossing_plates(&self) -> Vec<(usize, usize)> {
-        let mut found = vec![];
-        for (i, a) in self.plates.iter().enumerate().filter(|(_, plate)| !plate.unbounded) {
-            for (j, b) in self.plates.iter().enumerate().skip(i + 1).filter(|(_, plate)| !plate.unbounded) {
-                if cross(a, b) {
-                    found.push((i, j));
-                }
-            }
-        }
-        found
+        let drawn = |plate: &Plate| if plate.unbounded { vec![] } else { plate.pieces() };
+        crossing(&self.plates.iter().map(drawn).collect::<Vec<_>>())
     }
 }
 
+/// Pairs of plates that cross, of plates that are made of these pieces; one without any does not count.
+pub(crate) fn crossing(plates: &[Vec<(Vec2, Vec2)>]) -> Vec<(usize, usize)> {
+    let numbered = || plates.iter().enumerate();
+    let pairs = numbered().flat_map(|a| numbered().skip(a.0 + 1).map(move |b| (a, b)));
+    pairs.filter(|((_, a), (_, b))| cross(a, b)).map(|((i, _), (j, _))| (i, j)).collect()
+}
+
 /// True where two plates cross.
-fn cross(a: &Plate, b: &Plate) -> bool {
-    let longer = (a.edge - a.uphill).norm().max((b.edge - b.uphill).norm());
-    let others = b.pieces();
-    let crosses = |piece| others.iter().any(|other| properly_cross(piece, *other, PLATES_TOUCH * longer));
-    a.pieces().into_iter().any(crosses)
+fn cross(a: &[(Vec2, Vec2)], b: &[(Vec2, Vec2)]) -> bool {
+    let ends = |plate: &[(Vec2, Vec2)]| Some((plate.last()?.1 - plate.first()?.0).norm());
+    let (Some(one), Some(other)) = (ends(a), ends(b)) else { return false };
+    let longer = one.max(other);
+    a.iter().any(|a| b.iter().any(|b| properly_cross(*a, *b, PLATES_TOUCH * longer)))
 }
 
 impl Part {
@@ -214,8 +214,8 @@ mod tests {
             form: Default::default(),
         };
         let line = plate((0.0, 0.0), (1.0, -0.5));
-        assert!(cross(&line, &plate((0.5, 0.0), (0.5, -1.0))));
-        assert!(!cross(&line, &plate((1.5, 0.0), (1.5, -1.0))));
-        assert!(!cross(&line, &plate((0.5, -0.25), (0.5, -1.0))));
+        assert!(cross(&line.pieces(), &plate((0.5, 0.0), (0.5, -1.0)).pieces()));
+        assert!(!cross(&line.pieces(), &plate((1.5, 0.0), (1.5, -1.0)).pieces()));
+        assert!(!cross(&line.pieces(), &plate((0.5, -0.25), (0.5, -1.0)).pieces()));
     }
 }

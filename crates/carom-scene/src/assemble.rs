@@ -17,7 +17,8 @@ use carom_feeder::{Feed, Feeder, FeederProblem, Form, Part, PartKind, Plate, Run
 use carom_impact::Law;
 use carom_motion::planar::{ChainPoint, Options, Pose};
 use carom_num::Vec2;
-use carom_words::part;
+use carom_study::Device;
+use carom_words::part::{self, Names};
 use std::ops::Range;
 
 /// How far a channel's walls reach above and below its plates, in lengths of the part's run and size.
@@ -169,15 +170,21 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         let wants = drawn.iter().map(|plate| plate.want).collect();
         let mut notes = built.notes;
         notes.extend(contact_notes(drawing));
-        for (i, j) in feeder.crossing_plates() {
-            let [a, b] = [i, j].map(|plate| part::obstacle(&feeder, plate));
-            notes.push(format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built"));
-        }
+        notes.extend(crossing_notes(&feeder));
         let Built { origin, approximations, .. } = built;
         Ok(Assembled { feeder, origin, notes, approximations, wants, feed })
     } else {
         Err(problems)
     }
+}
+
+/// What is said of plates that cross.
+pub(crate) fn crossing_notes<F: Device + Names>(feeder: &F) -> Vec<String> {
+    let note = |(i, j): (usize, usize)| {
+        let [a, b] = [i, j].map(|plate| part::obstacle(feeder, plate));
+        format!("plates \"{a}\" and \"{b}\" cross: such a feeder can be run, but not built")
+    };
+    feeder.crossing_plates().into_iter().map(note).collect()
 }
 
 /// The plates in their places, of a drawing without a zig-zag; a part's run on the first plate and its size are so long together \[m\].

@@ -3,6 +3,7 @@
 use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use crate::run_report::ExitReport;
+use crate::space::SpaceExitReport;
 use crate::word::{EndingWord, Word};
 use crate::yield_report::ProbabilityReport;
 use carom_feeder::Outcome;
@@ -79,6 +80,16 @@ carom_words::words! {
     }
 }
 
+/// How the part leaves the last plate: the pose of a part that moves in the plane, place and attitude of a solid one.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum DesignExitReport {
+    /// In the plane.
+    Plane(ExitReport),
+    /// In space.
+    Space(SpaceExitReport),
+}
+
 /// How the part comes to lie on a plate.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DeliveredReport {
@@ -115,7 +126,7 @@ pub struct DesignReport {
     /// The same as data.
     pub endings: Vec<DeliveredReport>,
     /// How it leaves the last plate, where nothing varies; null where it does not, and without a winner.
-    pub exit: Option<ExitReport>,
+    pub exit: Option<DesignExitReport>,
     /// How the winner's run ends that is followed as far as the part goes: `delivered`, or why it is not.
     pub ends: Option<Word<Outcome>>,
     /// Layouts none of which is worse than another in yield, height and impact speed at once.

@@ -7,8 +7,7 @@ use crate::scene::{NamedQuantity, Scene};
 use crate::unit::Dimension;
 use crate::variants::Variants;
 use crate::varied::Varied;
-use carom_feeder::{Feeder, Run};
-use carom_num::Vec2;
+use carom_study::Device;
 use carom_study::design::{Layout, Space, Varying};
 use std::borrow::Cow;
 
@@ -27,8 +26,8 @@ use std::borrow::Cow;
 /// # Ok::<(), carom_scene::Problems>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct DesignSpace<'s> {
-    variants: Variants<'s>,
+pub struct DesignSpace<'s, S: Drawn = Scene> {
+    variants: Variants<'s, S>,
     free: &'s [Free],
     /// Of each free quantity: true for a count.
     counts: Vec<bool>,
@@ -41,22 +40,32 @@ impl Scene {
     /// # Errors
     /// There is no `[design]`, it leaves nothing open, nothing varies, or nothing is wanted on any plate.
     pub fn design_space(&self) -> Result<DesignSpace<'_>, Problems> {
+        DesignSpace::of(self)
+    }
+}
+
+impl<'s, S: Drawn> DesignSpace<'s, S> {
+    /// What `[design]` of a scene leaves open, in the plane or in space.
+    ///
+    /// # Errors
+    /// As [`Scene::design_space`].
+    pub fn of(scene: &'s S) -> Result<Self, Problems> {
         let fail = |message: &str, help: &str| {
             let problem = Problem::new(ProblemKind::MissingKey, "design", message, None).with_help(help);
-            Err(Problems::new(self.file(), self.source(), vec![problem]))
+            Err(Problems::new(scene.file(), scene.source(), vec![problem]))
         };
         let help = "for example [design] with free = { \"plate.lower.slope\" = \"10..40 deg\" }";
-        let Some(design) = self.design() else { return fail("missing: what may be chosen", help) };
+        let Some(design) = scene.design() else { return fail("missing: what may be chosen", help) };
         if design.free.is_empty() {
             return fail("nothing may be chosen: free is missing or empty", help);
         }
-        if !self.wants().iter().flatten().any(|want| *want != Want::Any) {
+        if !scene.wants().iter().flatten().any(|want| *want != Want::Any) {
             let problem =
                 Problem::new(ProblemKind::MissingKey, "plate", "nothing is wanted on any plate", None)
                     .with_help("write want = \"turned\" (or same, or a face) on a plate");
-            return Err(Problems::new(self.file(), self.source(), vec![problem]));
+            return Err(Problems::new(scene.file(), scene.source(), vec![problem]));
         }
-        let all = self.quantities();
+        let all = scene.quantities();
         let unwritten = design
             .free
             .iter()
@@ -68,17 +77,17 @@ impl Scene {
             })
             .collect();
         if !problems.is_empty() {
-            return Err(Problems::new(self.file(), self.source(), problems));
+            return Err(Problems::new(scene.file(), scene.source(), problems));
         }
         let paths: Vec<&str> = design.free.iter().map(|free| free.path.as_str()).collect();
-        let variants = self.variants(&paths)?;
+        let variants = Variants::over(scene, &paths)?;
         let counts = variants.open().map(|quantity| quantity.kind.dimension == Dimension::Count).collect();
-        let varying = self.varied()?.dimensions();
+        let varying = Varied::over(scene, 1.0)?.dimensions();
         Ok(DesignSpace { variants, free: &design.free, counts, varying })
     }
 }
 
-impl DesignSpace<'_> {
+impl<S: Drawn> DesignSpace<'_, S> {
     /// The values of the free quantities at a point of the unit cube, SI.
     pub fn values(&self, point: &[f64]) -> Vec<f64> {
         let at = |((free, share), count): ((&Free, &f64), &bool)| {
@@ -101,7 +110,7 @@ impl DesignSpace<'_> {
     ///
     /// # Errors
     /// What is drawn cannot be.
-    pub fn scene(&self, point: &[f64]) -> Result<Scene, Problems> {
+    pub fn scene(&self, point: &[f64]) -> Result<S, Problems> {
         self.scene_with(&self.values(point))
     }
 
@@ -109,7 +118,7 @@ impl DesignSpace<'_> {
     ///
     /// # Errors
     /// What is drawn cannot be.
-    pub fn scene_with(&self, values: &[f64]) -> Result<Scene, Problems> {
+    pub fn scene_with(&self, values: &[f64]) -> Result<S, Problems> {
         self.variants.scene(values)
     }
 
@@ -136,7 +145,9 @@ impl DesignSpace<'_> {
     }
 }
 
-impl Space for DesignSpace<'_> {
+impl<S: Drawn> Space for DesignSpace<'_, S> {
+    type Feeder = S::Feeder;
+
     fn dimensions(&self) -> usize {
         self.free.len()
     }
@@ -145,13 +156,13 @@ impl Space for DesignSpace<'_> {
         self.varying
     }
 
-    fn layout(&self, point: &[f64]) -> Option<Layout> {
+    fn layout(&self, point: &[f64]) -> Option<Layout<S::Feeder>> {
         let feeder = self.variants.feeder(&self.values(point)).ok()?;
-        let [width, height] = extent(&feeder);
+        let [width, height] = feeder.extent();
         Some(Layout { feeder, height, width })
     }
 
-    fn met(&self, point: &[f64], run: &Run) -> bool {
+    fn met(&self, point: &[f64], run: &<S::Feeder as Device>::Run) -> bool {
         // Where plates are counted, which of them is the last is the layout's own matter.
         if self.counts.contains(&true) {
             return self.scene(point).is_ok_and(|scene| scene.ends_as_wanted(run).unwrap_or(true));
@@ -159,20 +170,8 @@ impl Space for DesignSpace<'_> {
         self.variants.drawn().ends_as_wanted(run).unwrap_or(true)
     }
 
-    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>> {
-        let varied = Varied::<Scene>::of(Cow::Owned(self.scene(point).ok()?), widened).ok()?;
+    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_, S::Feeder>> {
+        let varied = Varied::<S>::of(Cow::Owned(self.scene(point).ok()?), widened).ok()?;
         Some(Box::new(move |point: &[f64]| varied.feeder(point)))
     }
-}
-
-/// How wide and how high a feeder's plates are together [m]; plates without a drawn length do not count.
-pub fn extent(feeder: &Feeder) -> [f64; 2] {
-    let drawn = feeder.plates.iter().filter(|plate| !plate.unbounded);
-    let points: Vec<Vec2> = drawn.flat_map(|plate| [plate.uphill, plate.edge]).collect();
-    let span = |of: fn(&Vec2) -> f64| {
-        let values = points.iter().map(of);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-        (high - low).max(0.0)
-    };
-    [span(|p| p.x), span(|p| p.y)]
 }

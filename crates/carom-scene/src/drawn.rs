@@ -2,7 +2,7 @@
 
 use crate::approximation::Approximation;
 use crate::assemble::assemble;
-use crate::drawing::{Drawing, StartFaces, Want};
+use crate::drawing::{Design, Drawing, StartFaces, Want};
 use crate::grammar::out_of_range;
 use crate::problem::{Problem, Problems};
 use crate::scene::{NamedQuantity, Scene, quantities};
@@ -46,6 +46,11 @@ pub trait Drawn: Clone + Send + Sync {
     /// # Errors
     /// A drawing that the values make impossible.
     fn moved(&self, values: &[(usize, f64)], face: Option<usize>) -> Result<Self::Feeder, Vec<Problem>>;
+    /// The whole scene with some of its quantities moved.
+    ///
+    /// # Errors
+    /// As [`Drawn::moved`].
+    fn remade(&self, values: &[(usize, f64)]) -> Result<Self, Vec<Problem>>;
     /// The same scene with one quantity changed. A plate may be named by its number: `plate.1.below.y`.
     ///
     /// # Errors
@@ -73,9 +78,11 @@ pub trait Drawn: Clone + Send + Sync {
     fn approximations(&self) -> &[Approximation];
     /// The law of restitution.
     fn law(&self) -> Law;
+    /// What a design may choose, must keep and aims at.
+    fn design(&self) -> Option<&Design>;
     /// What a layout must keep besides, where the scene says so of a drop.
     fn limits(&self) -> Option<Limits> {
-        None
+        self.design().map(Design::limits).filter(Limits::are_of_drops)
     }
     /// Each plate on which something is wanted, and whether a run has it.
     fn wanted_of(&self, run: &<Self::Feeder as Device>::Run) -> Vec<Wanted>;
@@ -150,6 +157,12 @@ impl Drawn for Scene {
         Ok(assemble(&moved(self.drawing(), values, face))?.feeder)
     }
 
+    fn remade(&self, values: &[(usize, f64)]) -> Result<Self, Vec<Problem>> {
+        let drawing = moved(self.drawing(), values, None);
+        let assembled = assemble(&drawing)?;
+        Ok(self.redrawn(drawing, assembled))
+    }
+
     fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
         self.with(path, value)
     }
@@ -182,8 +195,8 @@ impl Drawn for Scene {
         self.outline_file()
     }
 
-    fn limits(&self) -> Option<Limits> {
-        self.design().map(|design| design.limits()).filter(Limits::are_of_drops)
+    fn design(&self) -> Option<&Design> {
+        self.design()
     }
 
     fn wanted_of(&self, run: &carom_feeder::Run) -> Vec<Wanted> {
@@ -219,6 +232,12 @@ impl Drawn for SpaceScene {
         Ok(assemble_in_space(&moved(self.drawing(), values, face))?.feeder)
     }
 
+    fn remade(&self, values: &[(usize, f64)]) -> Result<Self, Vec<Problem>> {
+        let drawing = moved(self.drawing(), values, None);
+        let assembled = assemble_in_space(&drawing)?;
+        Ok(self.redrawn(drawing, assembled))
+    }
+
     fn with(&self, path: &str, value: f64) -> Result<Self, Problems> {
         self.with(path, value)
     }
@@ -251,6 +270,10 @@ impl Drawn for SpaceScene {
         let name = self.shape().file.as_deref()?;
         let folder = Path::new(self.file()).parent().unwrap_or(Path::new(""));
         Some((name, folder.join(name)))
+    }
+
+    fn design(&self) -> Option<&Design> {
+        self.drawing().design.as_ref()
     }
 
     fn wanted_of(&self, run: &spatial::Run) -> Vec<Wanted> {

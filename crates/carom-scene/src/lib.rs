@@ -98,7 +98,7 @@ pub use angles::{angle_to_normal, incidence};
 pub use approximation::{Approximation, ApproximationKind};
 pub use carom_study::design::Aim;
 pub use design_report::*;
-pub use design_space::{DesignSpace, extent};
+pub use design_space::DesignSpace;
 pub use drag::{Grip, Hold, Snap};
 pub use drawing::{Design, Free, Side, Want};
 pub use drawn::Drawn;

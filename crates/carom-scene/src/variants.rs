@@ -1,7 +1,6 @@
 //! One scene drawn many times, with some of its quantities moved.
 
-use crate::assemble::assemble;
-use crate::drawn::{Drawn, moved};
+use crate::drawn::Drawn;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::Tolerance;
 use crate::scene::{NamedQuantity, Scene};
@@ -257,14 +256,12 @@ impl<S: Drawn> Variants<'_, S> {
     }
 }
 
-impl Variants<'_> {
+impl<S: Drawn> Variants<'_, S> {
     /// The whole scene with these values, SI.
     ///
     /// # Errors
     /// As [`Variants::feeder`].
-    pub fn scene(&self, values: &[f64]) -> Result<Scene, Problems> {
-        let drawing = moved(self.scene.drawing(), &self.placed(values)?, None);
-        let assembled = assemble(&drawing).map_err(|found| self.problems(found))?;
-        Ok(self.scene.redrawn(drawing, assembled))
+    pub fn scene(&self, values: &[f64]) -> Result<S, Problems> {
+        self.scene.remade(&self.placed(values)?).map_err(|found| self.problems(found))
     }
 }

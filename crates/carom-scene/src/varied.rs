@@ -112,6 +112,14 @@ impl SpaceScene {
 }
 
 impl<'s, S: Drawn> Varied<'s, S> {
+    /// What differs from part to part of a scene, in the plane or in space, every tolerance so many times as wide.
+    ///
+    /// # Errors
+    /// As [`Scene::varied`].
+    pub fn over(scene: &'s S, widened: f64) -> Result<Self, Problems> {
+        Self::of(Cow::Borrowed(scene), widened)
+    }
+
     /// A scene's tolerances, so many times as wide.
     pub(crate) fn of(scene: Cow<'s, S>, widened: f64) -> Result<Self, Problems> {
         let all = scene.quantities();

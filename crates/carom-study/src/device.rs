@@ -1,7 +1,9 @@
 //! What studies drop parts through, and what they look at of a drop: in the plane and in space alike.
 
-use carom_feeder::{Feeder, Landing, Outcome, Run, RunError, spatial};
+use crate::design::Pace;
+use carom_feeder::{Feeder, Landing, Outcome, Run, RunError, Stop, spatial};
 use carom_impact::Law;
+use carom_num::Vec2;
 
 /// What studies look at of a run.
 ///
@@ -41,9 +43,11 @@ pub trait Landed: Send + Sync {
 /// ```
 pub trait Device: Clone + Send + Sync {
     /// What a drop says.
-    type Run: Landed;
+    type Run: Landed + Clone;
     /// The laws of restitution that it may have: in space Newton's is for one contact, and several strike.
     const LAWS: &'static [Law];
+    /// How many drops a search for a layout takes.
+    const PACE: Pace;
     /// Drops a part, without a trace.
     ///
     /// # Errors
@@ -54,6 +58,48 @@ pub trait Device: Clone + Send + Sync {
     /// The same under a law of restitution, every plate and wall with this coefficient.
     #[must_use]
     fn with_law(&self, law: Law, restitution: f64) -> Self;
+    /// The drop until the part leaves the last plate or rests, whatever [`Stop`] the feeder has; without a trace. `None` for a fault of the numbers.
+    ///
+    /// # Example
+    /// A disc that has landed slides on without friction, and leaves the tray: 9 m and the part of it that it
+    /// fell along, at `0.8 √24` m/s.
+    /// ```
+    /// use carom_feeder::{Outcome, examples};
+    /// use carom_study::Device;
+    /// let feeder = examples::disc_above_a_tray();
+    /// let (landed, gone) = (feeder.drop_part()?, feeder.to_the_end().unwrap());
+    /// assert_eq!((landed.outcome, gone.outcome), (Outcome::Landed, Outcome::Delivered));
+    /// // From where its centre left the slope, 0.036 m beyond the edge.
+    /// let speed = 0.8 * 24f64.sqrt();
+    /// assert!((gone.end_time - (24f64.sqrt() / 6.0 + (9.0 - 0.036) / speed)).abs() < 1e-9);
+    /// # Ok::<(), carom_feeder::RunError>(())
+    /// ```
+    fn to_the_end(&self) -> Option<Self::Run>;
+    /// Pairs of plates that cross, by their numbers: such a feeder cannot be built. In space those whose middle lines cross in the drawing.
+    fn crossing_plates(&self) -> Vec<(usize, usize)>;
+    /// The plates, each with its ends in the drawing \[m\]; `None` of one that is as long as needed.
+    fn plate_ends(&self) -> Vec<Option<[Vec2; 2]>>;
+
+    /// How wide and how high the plates are together in the drawing \[m\]; plates as long as needed do not count.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_feeder::examples;
+    /// use carom_study::Device;
+    /// let [width, height] = examples::disc_above_a_tray().extent();
+    /// assert!(width > height && height > 0.0);
+    /// ```
+    fn extent(&self) -> [f64; 2] {
+        let points: Vec<Vec2> = self.plate_ends().into_iter().flatten().flatten().collect();
+        let span = |of: fn(&Vec2) -> f64| {
+            let (low, high) = points
+                .iter()
+                .map(of)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+            (high - low).max(0.0)
+        };
+        [span(|p| p.x), span(|p| p.y)]
+    }
 }
 
 impl Landed for Run {
@@ -103,6 +149,7 @@ impl Landed for spatial::Run {
 impl Device for Feeder {
     type Run = Run;
     const LAWS: &'static [Law] = &[Law::Poisson, Law::Stronge, Law::Newton];
+    const PACE: Pace = Pace::IN_THE_PLANE;
 
     fn drop_part(&self) -> Result<Run, RunError> {
         self.run_untraced()
@@ -118,11 +165,24 @@ impl Device for Feeder {
         feeder.walls.iter_mut().for_each(|wall| wall.restitution = restitution);
         feeder
     }
+    fn to_the_end(&self) -> Option<Run> {
+        Self { stop: Stop::Delivered, ..self.clone() }.run_untraced().ok()
+    }
+
+    fn crossing_plates(&self) -> Vec<(usize, usize)> {
+        self.crossing_plates()
+    }
+
+    fn plate_ends(&self) -> Vec<Option<[Vec2; 2]>> {
+        let ends = self.plates.iter().map(|plate| (!plate.unbounded).then_some([plate.uphill, plate.edge]));
+        ends.collect()
+    }
 }
 
 impl Device for spatial::Feeder {
     type Run = spatial::Run;
     const LAWS: &'static [Law] = &[Law::Poisson, Law::Stronge];
+    const PACE: Pace = Pace::IN_SPACE;
 
     fn drop_part(&self) -> Result<spatial::Run, RunError> {
         self.run_untraced()
@@ -137,5 +197,17 @@ impl Device for spatial::Feeder {
         feeder.plates.iter_mut().for_each(|plate| plate.restitution = restitution);
         feeder.walls.iter_mut().for_each(|wall| wall.restitution = restitution);
         feeder
+    }
+    fn to_the_end(&self) -> Option<spatial::Run> {
+        Self { stop: Stop::Delivered, ..self.clone() }.run_untraced().ok()
+    }
+
+    fn crossing_plates(&self) -> Vec<(usize, usize)> {
+        self.crossing_plates()
+    }
+
+    fn plate_ends(&self) -> Vec<Option<[Vec2; 2]>> {
+        let ends = self.plates.iter().map(|plate| (!plate.unbounded).then_some([plate.uphill, plate.edge]));
+        ends.collect()
     }
 }

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::progress::spent;
 use crate::table::fixed;
-use carom::tasks::design::{DesignStudy, Winner};
+use carom::tasks::design::{DesignStudy, Designed, Winner};
 use carom_scene::labelled;
 use carom_words::aligned;
 use carom_words::study::percent_with_interval;
@@ -15,7 +15,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 pub(super) fn deliver(
-    searched: &Searched<'_>,
+    searched: &Searched<'_, impl Designed>,
     output: &Output,
     json: bool,
     out: &mut impl Write,
@@ -44,7 +44,7 @@ pub(super) fn deliver(
 }
 
 /// For a person.
-fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
+fn text(searched: &Searched<'_, impl Designed>, files: &[PathBuf]) -> String {
     let designed = &searched.study;
     let mut text = match &designed.winner {
         Some(winner) => found(designed, winner),
@@ -66,7 +66,7 @@ fn text(searched: &Searched<'_>, files: &[PathBuf]) -> String {
     text
 }
 
-fn found(designed: &DesignStudy<'_>, winner: &Winner) -> String {
+fn found<S: Designed>(designed: &DesignStudy<'_, S>, winner: &Winner<S>) -> String {
     let judged = &winner.judged;
     let mut text = format!(
         "{}: {} end as wanted, within the limits; {} with every tolerance doubled\n",
@@ -107,7 +107,7 @@ fn found(designed: &DesignStudy<'_>, winner: &Winner) -> String {
 const MOST_ROWS: usize = 12;
 
 /// Yield against height and impact speed.
-fn front(designed: &DesignStudy<'_>) -> String {
+fn front(designed: &DesignStudy<'_, impl Designed>) -> String {
     if designed.found.front.is_empty() {
         return String::new();
     }

@@ -1,6 +1,6 @@
 //! What stands on a feeder's drawing, and how wide it is.
 
-use crate::feeder::Stop;
+use crate::feeder::{Stop, crossing};
 use carom_impact::Law;
 use carom_motion::spatial::{Body, BodyProblem, Polyhedron, Solid};
 use carom_num::{Mat3, Vec2, Vec3};
@@ -167,4 +167,13 @@ pub struct Feeder {
     pub plates: Vec<Plate>,
     /// Other obstacles.
     pub walls: Vec<Wall>,
+}
+
+impl Feeder {
+    /// Pairs of plates whose middle lines cross in the drawing, by their numbers: such a feeder can be run, but not built. Plates that only touch do not cross, and plates as
+    /// long as needed do not count. Side walls are not looked at.
+    pub fn crossing_plates(&self) -> Vec<(usize, usize)> {
+        let drawn = |plate: &Plate| if plate.unbounded { vec![] } else { vec![(plate.uphill, plate.edge)] };
+        crossing(&self.plates.iter().map(drawn).collect::<Vec<_>>())
+    }
 }

@@ -10,6 +10,7 @@ use super::scene::{
     MATERIALS, NAME, ORIGIN, OWN_SURFACE, REACH, START_SPEED, STOP, STRAIGHT, SURFACE, THROUGH, TO_EDGE,
     WANT, placed, way,
 };
+use super::scene_studies::DESIGN;
 use super::{Foreign, Holds, Inherited, Rule, Table, Tables, When, key};
 use crate::part_drawing::SolidWord;
 use crate::problem::ProblemKind;
@@ -35,6 +36,7 @@ pub(super) static SPACE_ROOT: Table = Table {
         key("plate", Holds::Tables(&SPACE_PLATES), "The plates, in the order in which the part meets them.")
             .needed_as("at least one [[plate]]"),
         key("wall", Holds::Tables(&SPACE_WALLS), "Other obstacles across the drawing."),
+        key("design", Holds::Table(&DESIGN), "What `carom design` may choose, must keep and aims at."),
     ]],
     rules: &[],
     foreign: &[
@@ -45,7 +47,7 @@ pub(super) static SPACE_ROOT: Table = Table {
             help: "",
         },
         Foreign {
-            keys: &["feed", "design"],
+            keys: &["feed"],
             kind: ProblemKind::Unsupported,
             message: "is for parts that move in the plane: a solid part is followed alone, through the feeder that is drawn",
             help: "",

@@ -1,7 +1,7 @@
 //! From a drawing to a feeder in space.
 
 use crate::approximation::Approximation;
-use crate::assemble::{engine_problems, laid_out, plate as flat_plate, walls as flat_walls};
+use crate::assemble::{crossing_notes, engine_problems, laid_out, plate as flat_plate, walls as flat_walls};
 use crate::drawing::{Drawing, MassSpec, Outline, PlateDrawing, Want};
 use crate::part_drawing::SolidDrawing;
 use crate::problem::{Problem, ProblemKind};
@@ -72,7 +72,9 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
     let wants = drawn.iter().map(|plate| plate.want).collect();
     let (shape, centre) = (solid.shape.clone(), solid.centre.unwrap_or(solid.shape.solid.centre));
     let approximations = hull_of(&shape);
-    Ok(SpaceAssembled { feeder, notes: contact_notes(drawing), approximations, shape, centre, wants })
+    let mut notes = contact_notes(drawing);
+    notes.extend(crossing_notes(&feeder));
+    Ok(SpaceAssembled { feeder, notes, approximations, shape, centre, wants })
 }
 
 /// The faces of a box by their numbers: round it as in the plane, lower long side first; then those before and behind the drawing.

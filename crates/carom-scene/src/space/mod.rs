@@ -211,7 +211,7 @@ impl SpaceScene {
     }
 
     /// The same file, drawn otherwise.
-    fn redrawn(&self, drawing: Drawing, assembled: SpaceAssembled) -> Self {
+    pub(crate) fn redrawn(&self, drawing: Drawing, assembled: SpaceAssembled) -> Self {
         Self { file: self.file.clone(), source: self.source.clone(), drawing, assembled }
     }
 }

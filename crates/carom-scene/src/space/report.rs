@@ -7,7 +7,7 @@ use crate::run_report::{AccumulationReport, Limit, PlateReport, WorkReport, land
 use crate::tolerance::ONE_FACE;
 use crate::wanted::Wanted;
 use crate::word::Word;
-use carom_feeder::spatial::{Feeder, Run};
+use carom_feeder::spatial::{Exit, Feeder, Run};
 use carom_feeder::{Outcome, Stage, StageName};
 use carom_motion::spatial::{Impact, Stance, State, Touch};
 use carom_num::Vec3;
@@ -111,6 +111,12 @@ pub struct SpaceExitReport {
     pub state: SpaceStateReport,
 }
 
+impl From<&Exit> for SpaceExitReport {
+    fn from(exit: &Exit) -> Self {
+        Self { t_s: exit.time, state: state_report(&exit.state) }
+    }
+}
+
 /// A stage.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpaceStageReport {
@@ -200,7 +206,7 @@ impl SpaceRunReport {
             end: state_report(&run.end),
             plates: run.landings.iter().map(|landing| landing_report(feeder, landing)).collect(),
             wanted: scene.wanted(run),
-            exit: run.exit.map(|exit| SpaceExitReport { t_s: exit.time, state: state_report(&exit.state) }),
+            exit: run.exit.as_ref().map(SpaceExitReport::from),
             jam: run.jam.as_ref().map(|jam| jam_report(feeder, jam)),
             faces: faces(scene),
             stages: run.stages.iter().map(|stage| stage_report(feeder, stage)).collect(),

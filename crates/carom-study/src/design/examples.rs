@@ -2,13 +2,15 @@
 
 use super::{Layout, Space, Varying};
 use carom_feeder::examples::rod_on_a_slope;
-use carom_feeder::{Outcome, Run};
+use carom_feeder::{Feeder, Outcome, Run};
 
 /// The friction of a slope of 3 in 4, from 0 to 1: a rod is to be held on it, and nothing varies. The example of [`Space`] shows how it is written.
 #[derive(Clone, Copy, Debug)]
 pub struct FrictionOfASlope;
 
 impl Space for FrictionOfASlope {
+    type Feeder = Feeder;
+
     fn dimensions(&self) -> usize {
         1
     }

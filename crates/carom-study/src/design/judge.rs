@@ -1,11 +1,10 @@
 //! Which demands a layout meets, and how surely.
 
 use super::{Design, Forbidden, Goal, Limits, Space};
-use crate::device::Landed;
+use crate::device::{Device, Landed};
 use crate::ending::Dropped;
 use crate::yields::{Estimate, Plan, Points, sample};
-use carom_feeder::{Feeder, Outcome, Run, Stop};
-use carom_motion::planar::Options;
+use carom_feeder::Outcome;
 use rayon::prelude::*;
 
 /// One of the demands on a design.
@@ -180,9 +179,15 @@ pub(super) fn speeds(run: &impl Landed) -> [f64; 2] {
 
 impl Goal {
     /// Judges a feeder of this width and height [m]. `run` is its run where nothing varies; `met` says that this run ends as wanted.
-    pub fn judged(&self, feeder: &Feeder, [width, height]: [f64; 2], run: &Run, met: bool) -> Judged {
+    pub fn judged<F: Device>(
+        &self,
+        feeder: &F,
+        [width, height]: [f64; 2],
+        run: &F::Run,
+        met: bool,
+    ) -> Judged {
         let [impact_speed, sliding_speed] = speeds(run);
-        let (time, margin) = (run.end_time, run.margin);
+        let (time, margin) = (run.end_time(), run.margin());
         let mut judged = Judged { failed: vec![], impact_speed, sliding_speed, height, width, time, margin };
         if !feeder.crossing_plates().is_empty() {
             judged.failed.push(Demand::Clear);
@@ -196,10 +201,10 @@ impl Goal {
                 judged.failed.push(demand);
             }
         }
-        if self.limits.no_wall && !run.walls_touched.is_empty() {
+        if self.limits.no_wall && !run.walls_touched().is_empty() {
             judged.failed.push(Demand::Walls);
         }
-        let jams = || to_the_end(feeder).is_none_or(|run| run.outcome == Outcome::Jammed);
+        let jams = || feeder.to_the_end().is_none_or(|run| run.outcome() == Outcome::Jammed);
         if judged.failed.is_empty() && jams() {
             judged.failed.push(Demand::ComesOut);
         }
@@ -207,38 +212,17 @@ impl Goal {
     }
 }
 
-/// The run of a feeder where nothing varies, until the part leaves the last plate or rests, whatever [`Stop`](carom_feeder::Stop) the feeder has.
-/// `None` for a fault of the numbers.
-///
-/// # Example
-/// A disc that has landed slides on without friction, and leaves the tray: 9 m and the part of it that it
-/// fell along, at `0.8 √24` m/s.
-/// ```
-/// use carom_feeder::{Outcome, examples};
-/// let feeder = examples::disc_above_a_tray();
-/// let landed = feeder.run_untraced().unwrap();
-/// let gone = carom_study::design::to_the_end(&feeder).unwrap();
-/// assert_eq!((landed.outcome, gone.outcome), (Outcome::Landed, Outcome::Delivered));
-/// // From where its centre left the slope, 0.036 m beyond the edge.
-/// let speed = 0.8 * 24f64.sqrt();
-/// assert!((gone.end_time - (24f64.sqrt() / 6.0 + (9.0 - 0.036) / speed)).abs() < 1e-9);
-/// ```
-pub fn to_the_end(feeder: &Feeder) -> Option<Run> {
-    let feeder = Feeder { stop: Stop::Delivered, ..feeder.clone() };
-    feeder.run_untraced().ok()
-}
-
 /// Judges layouts by a goal.
-pub(super) struct Judge<'a> {
-    pub(super) space: &'a dyn Space,
+pub(super) struct Judge<'a, S> {
+    pub(super) space: &'a S,
     pub(super) goal: &'a Goal,
 }
 
-impl Judge<'_> {
+impl<S: Space> Judge<'_, S> {
     /// What a layout does where nothing varies.
     pub(super) fn nominal(&self, point: &[f64]) -> Judged {
         let Some(layout) = self.space.layout(point) else { return Judged::impossible() };
-        let dropped = Dropped::of(Some(&layout.feeder), 0, &Options::default());
+        let dropped = Dropped::through(Some(&layout.feeder), 0);
         match dropped.run {
             Some(run) => {
                 let met = self.space.met(point, &run);
@@ -256,7 +240,7 @@ impl Judge<'_> {
             samples,
             seed: self.goal.seed,
             points: Points::Sobol,
-            plates: self.space.layout(point)?.feeder.plates.len(),
+            plates: self.space.layout(point)?.feeder.plate_ends().len(),
             plate: 0,
         };
         sample(&plan, &*varied, |run| self.space.met(point, run) && self.goal.limits.keeps(run), |_| 0.0)

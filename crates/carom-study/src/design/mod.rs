@@ -20,10 +20,11 @@ mod space;
 mod worst;
 
 pub use goal::{Aim, ENOUGH, Goal, Limits};
-pub use judge::{Demand, Judged, to_the_end};
+pub use judge::{Demand, Judged};
 pub use space::{Layout, Looked, Space, Varying};
 pub use worst::{Extremes, Worst};
 
+use crate::device::Device;
 use crate::yields::Estimate;
 use carom_num::sobol::Sobol;
 use judge::Judge;
@@ -105,25 +106,70 @@ pub struct Found {
     pub met: u64,
 }
 
-/// Designs whose tolerances are sampled after the first look.
-const SAMPLED: usize = 96;
-/// Designs that are looked around.
-const KEPT: usize = 6;
-/// Looks around them, each in a box of [`SHRINK`] times the size.
-const ROUNDS: u32 = 6;
-/// Looks in all: the first, the sampling of its best, those around them, the confirming of the best.
-const LOOKS: u32 = ROUNDS + 3;
-/// Layouts of one look around a design.
-const AROUND: u64 = 16;
+/// How many drops a search takes: a drop in space costs a hundred times one in the plane.
+///
+/// # Example
+/// ```
+/// use carom_study::design::Pace;
+/// assert!(Pace::IN_SPACE.sampled < Pace::IN_THE_PLANE.sampled);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pace {
+    /// Layouts of the first look, where nobody asks for another number.
+    pub scanned: u64,
+    /// Designs whose tolerances are sampled after the first look.
+    pub sampled: usize,
+    /// Designs that are looked around.
+    pub kept: usize,
+    /// Looks around them, each in a smaller box.
+    pub rounds: u32,
+    /// Layouts of one look around a design.
+    pub around: u64,
+    /// Drops of each of the 16 repetitions while searching.
+    pub samples: u64,
+    /// The same for the designs that are compared in the end, at most.
+    pub confirming: u64,
+    /// Drops that confirm the winner, where nobody asks for another number.
+    pub winner: u64,
+}
+
+impl Pace {
+    /// Some 200 000 drops.
+    pub const IN_THE_PLANE: Self = Self {
+        scanned: 4096,
+        sampled: 96,
+        kept: 6,
+        rounds: 6,
+        around: 16,
+        samples: 8,
+        confirming: 256,
+        winner: 16_384,
+    };
+    /// Some 10 000 drops. Yields are told apart by sixteenths while searching: what is close is decided by the confirming drops.
+    pub const IN_SPACE: Self = Self {
+        scanned: 512,
+        sampled: 24,
+        kept: 3,
+        rounds: 4,
+        around: 8,
+        samples: 1,
+        confirming: 8,
+        winner: 1024,
+    };
+
+    /// Looks in all: the first, the sampling of its best, those around them, the confirming of the best.
+    const fn looks(&self) -> u32 {
+        self.rounds + 3
+    }
+}
+
 /// Half the size of the first box.
 const REACH: f64 = 0.15;
 const SHRINK: f64 = 0.6;
 /// Designs of the front that are confirmed.
 const MOST_SHOWN: usize = 8;
-/// Drops of a repetition while searching.
-const SAMPLES: u64 = 8;
 
-/// Searches a space; `None` where nothing may be chosen or more than there are dimensions for.
+/// Searches a space at the pace of its feeders; `None` where nothing may be chosen or more than there are dimensions for.
 ///
 /// # Example
 /// A rod on a slope of 3 in 4 is held from a friction of 3/4 on.
@@ -135,7 +181,8 @@ const SAMPLES: u64 = 8;
 /// assert!(found.winner.unwrap().point[0] >= 0.75);
 /// assert!(found.front.iter().all(|design| design.point[0] >= 0.75));
 /// ```
-pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
+pub fn search<S: Space>(space: &S, goal: &Goal) -> Option<Found> {
+    let pace = S::Feeder::PACE;
     let sobol = Sobol::new(space.dimensions(), goal.seed)?;
     let judge = Judge { space, goal };
     let scanned = goal.scanned.next_power_of_two();
@@ -147,31 +194,31 @@ pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
     let count = met.len() as u64;
     // Where something besides the yield is aimed at, what is best at it comes first.
     met.sort_by(|a, b| goal.rank(a.1).total_cmp(&goal.rank(b.1)));
-    let first: Vec<Vec<f64>> = met.into_iter().take(SAMPLED).map(|(point, _)| point.clone()).collect();
+    let first: Vec<Vec<f64>> = met.into_iter().take(pace.sampled).map(|(point, _)| point.clone()).collect();
     let mut look = 0;
     let mut looked = |best: Option<&Design>| {
         look += 1;
-        space.looked(&Looked { look, looks: LOOKS, best });
+        space.looked(&Looked { look, looks: pace.looks(), best });
     };
     looked(None);
-    let mut designs = judge.designs(&first, SAMPLES);
+    let mut designs = judge.designs(&first, pace.samples);
     sort(&mut designs, goal);
     looked(designs.first());
-    for round in 0..ROUNDS {
+    for round in 0..pace.rounds {
         let reach = REACH * carom_num::elementary::pow(SHRINK, f64::from(round));
         let near: Vec<Vec<f64>> = designs
             .iter()
-            .take(KEPT)
-            .flat_map(|design| around(&sobol, &design.point, reach, round))
+            .take(pace.kept)
+            .flat_map(|design| around(&sobol, &design.point, reach, (round, pace.around)))
             .collect();
-        designs.extend(judge.designs(&near, SAMPLES));
+        designs.extend(judge.designs(&near, pace.samples));
         sort(&mut designs, goal);
         looked(designs.first());
     }
     let best: Vec<Vec<f64>> = front(&designs)
         .into_iter()
         .take(MOST_SHOWN)
-        .chain(designs.iter().take(KEPT).cloned())
+        .chain(designs.iter().take(pace.kept).cloned())
         .map(|design| design.point)
         .collect();
     let mut confirmed = judge.designs(&distinct(best), goal.confirming);
@@ -187,13 +234,13 @@ pub fn search(space: &dyn Space, goal: &Goal) -> Option<Found> {
 }
 
 /// Points in a box around one, within the cube.
-fn around(sobol: &Sobol, point: &[f64], reach: f64, round: u32) -> Vec<Vec<f64>> {
+fn around(sobol: &Sobol, point: &[f64], reach: f64, (round, count): (u32, u64)) -> Vec<Vec<f64>> {
     let first = (u64::from(round) + 1) << 20;
     let near = |number: u64| {
         let shift = |(x, u): (&f64, f64)| (x + (2.0 * u - 1.0) * reach).clamp(0.0, 1.0);
         point.iter().zip(sobol.point(first + number)).map(shift).collect()
     };
-    (0..AROUND).map(near).collect()
+    (0..count).map(near).collect()
 }
 
 fn distinct(points: Vec<Vec<f64>>) -> Vec<Vec<f64>> {

@@ -1,13 +1,14 @@
 //! The layouts that may be chosen.
 
 use super::Design;
-use carom_feeder::{Feeder, Run};
+use crate::device::Device;
+use carom_feeder::Feeder;
 
 /// A layout.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Layout {
+pub struct Layout<F = Feeder> {
     /// The feeder where nothing varies.
-    pub feeder: Feeder,
+    pub feeder: F,
     /// How high it is [m].
     pub height: f64,
     /// How wide it is [m].
@@ -15,7 +16,7 @@ pub struct Layout {
 }
 
 /// The feeders that a layout may become: one for every point of the unit cube of what varies, or none where it cannot be drawn.
-pub type Varying<'a> = Box<dyn Fn(&[f64]) -> Option<Feeder> + Sync + 'a>;
+pub type Varying<'a, F = Feeder> = Box<dyn Fn(&[f64]) -> Option<F> + Sync + 'a>;
 
 /// How far a search is.
 ///
@@ -42,10 +43,11 @@ pub struct Looked<'d> {
 /// The friction of a plate of 3 in 4 may be chosen from 0 to 1. A rod is to be held: that takes 3/4, and a
 /// quarter of the layouts do it.
 /// ```
-/// use carom_feeder::{Outcome, Run, examples};
+/// use carom_feeder::{Feeder, Outcome, Run, examples};
 /// use carom_study::design::{Aim, Goal, Layout, Limits, Space, Varying, search};
 /// struct Friction;
 /// impl Space for Friction {
+///     type Feeder = Feeder;
 ///     fn dimensions(&self) -> usize {
 ///         1
 ///     }
@@ -67,6 +69,9 @@ pub struct Looked<'d> {
 /// assert_eq!(search(&Friction, &goal).unwrap().met, 4);
 /// ```
 pub trait Space: Sync {
+    /// What parts are dropped through, in the plane or in space.
+    type Feeder: Device;
+
     /// Quantities that may be chosen.
     fn dimensions(&self) -> usize;
 
@@ -74,13 +79,13 @@ pub trait Space: Sync {
     fn varying(&self) -> usize;
 
     /// The layout at a point of the unit cube; `None` where what is drawn cannot be.
-    fn layout(&self, point: &[f64]) -> Option<Layout>;
+    fn layout(&self, point: &[f64]) -> Option<Layout<Self::Feeder>>;
 
     /// Does a run of the layout at a point end as wanted?
-    fn met(&self, point: &[f64], run: &Run) -> bool;
+    fn met(&self, point: &[f64], run: &<Self::Feeder as Device>::Run) -> bool;
 
     /// The feeders that a layout may become, for points of the unit cube of what varies. Tolerances are multiplied by `widened`.
-    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>>;
+    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_, Self::Feeder>>;
 
     /// Hears after each look how far the search is.
     fn looked(&self, _looked: &Looked<'_>) {}

@@ -1,7 +1,7 @@
 //! The worst of many drops: what limits on speed and time have to hold against, where quantities vary.
 
 use super::judge::speeds;
-use carom_feeder::Run;
+use crate::device::Landed;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The largest speeds and the longest time of drops, whatever order and thread they come from.
@@ -33,9 +33,9 @@ pub struct Extremes {
 
 impl Worst {
     /// Looks at a drop.
-    pub fn see(&self, run: &Run) {
+    pub fn see(&self, run: &impl Landed) {
         let [impact, slide] = speeds(run);
-        for (most, value) in self.measures.iter().zip([impact, slide, run.end_time]) {
+        for (most, value) in self.measures.iter().zip([impact, slide, run.end_time()]) {
             if value > 0.0 {
                 most.fetch_max(value.to_bits(), Ordering::Relaxed);
             }

@@ -1,30 +1,31 @@
 //! Which layout of a scene makes drops end as wanted: the study of `carom design`.
 
+mod designed;
 mod report;
 mod said;
 mod winner;
 
+pub use designed::{Designed, Leaving, RunOf};
 pub use said::unit;
 pub use winner::Winner;
 
 use super::StudyError;
-use carom_feeder::Run;
 use carom_scene::{DesignSpace, Scene};
+use carom_study::Device;
 use carom_study::design::{Aim, Found, Goal, Layout, Limits, Looked, Space, Varying, search};
 use carom_study::yields::REPETITIONS;
 use carom_words::part;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Drops of a repetition for each design that is compared in the end; the winner has more.
-const MOST_CONFIRMING: u64 = 256;
-
 /// How a search is made.
 ///
 /// # Example
 /// ```
-/// use carom::tasks::design::DesignPlan;
-/// let quick = DesignPlan { scan: 256, ..DesignPlan::default() };
+/// use carom::{scene::Scene, tasks::design::DesignPlan};
+/// let scene = Scene::read("../../examples/designer.toml".as_ref())?;
+/// let quick = DesignPlan { scan: 256, ..DesignPlan::usual(&scene) };
 /// assert_eq!((quick.samples, quick.seed), (16_384, 1));
+/// # Ok::<(), carom::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DesignPlan {
@@ -36,9 +37,11 @@ pub struct DesignPlan {
     pub seed: u64,
 }
 
-impl Default for DesignPlan {
-    fn default() -> Self {
-        Self { scan: 4096, samples: 16_384, seed: 1 }
+impl DesignPlan {
+    /// What is usual for a scene: fewer drops in space, where each costs more.
+    pub fn usual<S: Designed>(_: &S) -> Self {
+        let pace = S::Feeder::PACE;
+        Self { scan: pace.scanned, samples: pace.winner, seed: 1 }
     }
 }
 
@@ -55,11 +58,11 @@ impl Default for DesignPlan {
 /// # Ok::<(), carom::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct DesignStudy<'s> {
+pub struct DesignStudy<'s, S: Designed = Scene> {
     /// The scene.
-    pub scene: &'s Scene,
+    pub scene: &'s S,
     /// What it leaves open.
-    pub space: &'s DesignSpace<'s>,
+    pub space: &'s DesignSpace<'s, S>,
     /// What a layout must keep.
     pub limits: Limits,
     /// What it is to be best at.
@@ -67,7 +70,7 @@ pub struct DesignStudy<'s> {
     /// What the search found.
     pub found: Found,
     /// The best layout, in values that a workshop can keep.
-    pub winner: Option<Winner>,
+    pub winner: Option<Winner<S>>,
     /// What every random number came from.
     pub seed: u64,
     /// Drops in all.
@@ -78,17 +81,17 @@ pub struct DesignStudy<'s> {
 ///
 /// # Errors
 /// See [`StudyError`].
-pub fn design_space(scene: &Scene) -> Result<DesignSpace<'_>, StudyError> {
-    let space = scene.design_space()?;
+pub fn design_space<S: Designed>(scene: &S) -> Result<DesignSpace<'_, S>, StudyError> {
+    let space = DesignSpace::of(scene)?;
     blind(scene)?;
     Ok(space)
 }
 
 /// A feeder with plates as long as needed has no height and no width to keep or to aim at.
-fn blind(scene: &Scene) -> Result<(), StudyError> {
+fn blind(scene: &impl Designed) -> Result<(), StudyError> {
     let (limits, aim) = limits(scene);
     let asked = limits.height.is_some() || limits.width.is_some() || aim == Aim::Height;
-    let endless = scene.feeder().plates.iter().position(|plate| plate.unbounded);
+    let endless = scene.feeder().plate_ends().iter().position(Option::is_none);
     match endless {
         Some(plate) if asked => Err(StudyError::Asked(format!(
             "{}: plate \"{}\" is as long as needed: without its length (gap or length) the feeder's height and width are not known",
@@ -100,26 +103,28 @@ fn blind(scene: &Scene) -> Result<(), StudyError> {
 }
 
 /// The limits that a scene writes.
-fn limits(scene: &Scene) -> (Limits, Aim) {
+fn limits(scene: &impl Designed) -> (Limits, Aim) {
     scene.design().map(|design| (design.limits(), design.aim)).unwrap_or_default()
 }
 
 /// A space that counts the drops it is asked for, and says so.
-struct Watched<'w, 's> {
-    space: &'s DesignSpace<'s>,
+struct Watched<'w, 's, S: Designed> {
+    space: &'s DesignSpace<'s, S>,
     drops: AtomicUsize,
     step: &'w (dyn Fn() + Sync),
     looked: &'w (dyn Fn(&Looked<'_>) + Sync),
 }
 
-impl Watched<'_, '_> {
+impl<S: Designed> Watched<'_, '_, S> {
     fn step(&self) {
         self.drops.fetch_add(1, Ordering::Relaxed);
         (self.step)();
     }
 }
 
-impl Space for Watched<'_, '_> {
+impl<S: Designed> Space for Watched<'_, '_, S> {
+    type Feeder = S::Feeder;
+
     fn dimensions(&self) -> usize {
         self.space.dimensions()
     }
@@ -128,16 +133,16 @@ impl Space for Watched<'_, '_> {
         self.space.varying()
     }
 
-    fn layout(&self, point: &[f64]) -> Option<Layout> {
+    fn layout(&self, point: &[f64]) -> Option<Layout<S::Feeder>> {
         self.step();
         self.space.layout(point)
     }
 
-    fn met(&self, point: &[f64], run: &Run) -> bool {
+    fn met(&self, point: &[f64], run: &RunOf<S>) -> bool {
         self.space.met(point, run)
     }
 
-    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_>> {
+    fn varied(&self, point: &[f64], widened: f64) -> Option<Varying<'_, S::Feeder>> {
         let varied = self.space.varied(point, widened)?;
         Some(Box::new(move |point: &[f64]| {
             self.step();
@@ -150,20 +155,20 @@ impl Space for Watched<'_, '_> {
     }
 }
 
-impl<'s> DesignStudy<'s> {
+impl<'s, S: Designed> DesignStudy<'s, S> {
     /// Searches the space of a scene; `step` is called after each drop, `looked` after each look.
     ///
     /// # Errors
     /// More quantities are free than there are dimensions for; a drop of the winner that cannot be computed.
     pub fn searched(
-        scene: &'s Scene,
-        space: &'s DesignSpace<'s>,
+        scene: &'s S,
+        space: &'s DesignSpace<'s, S>,
         plan: DesignPlan,
         step: impl Fn() + Sync,
         looked: impl Fn(&Looked<'_>) + Sync,
     ) -> Result<Self, StudyError> {
         let (limits, aim) = limits(scene);
-        let confirming = plan.samples.div_ceil(REPETITIONS as u64).min(MOST_CONFIRMING);
+        let confirming = plan.samples.div_ceil(REPETITIONS as u64).min(S::Feeder::PACE.confirming);
         let goal = Goal { limits, aim, seed: plan.seed, scanned: plan.scan, confirming };
         let watched = Watched { space, drops: AtomicUsize::new(0), step: &step, looked: &looked };
         let found = search(&watched, &goal).ok_or_else(|| {

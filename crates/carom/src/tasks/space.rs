@@ -72,10 +72,26 @@ pub fn live(scene: &SpaceScene, run: &Run) -> LiveSolid {
     shown(scene, run, &SpaceRunReport::new(scene, run), live_space)
 }
 
+/// The report of a run of a layout that was found, with what must be said of it.
+pub fn design_page(scene: &SpaceScene, run: &Run, mut said: Vec<String>) -> String {
+    said.extend(scene.notes().iter().cloned());
+    shown_with(scene, (run, &said), &SpaceRunReport::new(scene, run), space_report)
+}
+
 /// A run as a figure shows it.
 fn shown<T>(
     scene: &SpaceScene,
     run: &Run,
+    report: &SpaceRunReport,
+    show: impl FnOnce(&SpaceFigure<'_>) -> T,
+) -> T {
+    shown_with(scene, (run, scene.notes()), report, show)
+}
+
+/// The same with other notes than those of the scene.
+fn shown_with<T>(
+    scene: &SpaceScene,
+    (run, notes): (&Run, &[String]),
     report: &SpaceRunReport,
     show: impl FnOnce(&SpaceFigure<'_>) -> T,
 ) -> T {
@@ -98,7 +114,7 @@ fn shown<T>(
         margins: &report.faces.iter().map(|face| face.margin_m).collect::<Vec<_>>(),
         limits: &limits.filter_map(|limit| shown_limit(scene, limit)).collect::<Vec<_>>(),
         approximations: &report.approximations.iter().map(|found| found.text.clone()).collect::<Vec<_>>(),
-        notes: scene.notes(),
+        notes,
         source: scene.source(),
         made_by: MADE_BY,
     })

@@ -1,24 +1,25 @@
 //! What a search says to a program, and the files of its winner.
 
 use super::said::{at_range_ends, wall_strikes_by_name, worst};
-use super::{DesignStudy, Winner};
-use crate::tasks::{design_page, drawings};
+use super::{DesignStudy, Designed, Winner};
 use carom_scene::{
     DeliveredReport, DesignLayoutReport, DesignReport, EndingWord, ForbiddenReport, StudyRunReport, Word,
 };
-use carom_study::Ending;
 use carom_study::design::Judged;
 use carom_study::yields::Estimate;
+use carom_study::{Ending, Landed};
+use carom_words::part::Names;
 
 /// How the part comes to lie on every plate but the one it starts on.
-fn endings(winner: &Winner) -> Vec<DeliveredReport> {
-    let plates = winner.scene.feeder().plates.iter().enumerate().skip(1);
+fn endings<S: Designed>(winner: &Winner<S>) -> Vec<DeliveredReport> {
+    let feeder = winner.scene.feeder();
     let ending = |i| EndingWord(Ending::of(&winner.run, i));
-    plates.map(|(i, plate)| DeliveredReport { plate: plate.name.clone(), ending: ending(i) }).collect()
+    let on = |i| DeliveredReport { plate: feeder.given(i).to_owned(), ending: ending(i) };
+    (1..feeder.plate_count()).map(on).collect()
 }
 
 fn layout(
-    designed: &DesignStudy<'_>,
+    designed: &DesignStudy<'_, impl Designed>,
     values: &[f64],
     judged: &Judged,
     [yields, doubled]: [Estimate; 2],
@@ -36,7 +37,7 @@ fn layout(
     }
 }
 
-impl DesignStudy<'_> {
+impl<S: Designed> DesignStudy<'_, S> {
     /// Everything that was found, for a program; `run` says what it took.
     pub fn summary(&self, run: StudyRunReport) -> DesignReport {
         let designed = self;
@@ -53,8 +54,8 @@ impl DesignStudy<'_> {
             wall_strikes: winner.map(wall_strikes_by_name).unwrap_or_default(),
             delivered: winner.map(Winner::delivered).unwrap_or_default(),
             endings: winner.map(endings).unwrap_or_default(),
-            exit: winner.and_then(|winner| winner.to_the_end.exit.as_ref()).map(carom_scene::exit_report),
-            ends: winner.map(|winner| Word(winner.to_the_end.outcome)),
+            exit: winner.and_then(|winner| S::leaving(&winner.to_the_end)).map(|leaving| leaving.report),
+            ends: winner.map(|winner| Word(winner.to_the_end.outcome())),
             front: found
                 .front
                 .iter()
@@ -82,8 +83,7 @@ impl DesignStudy<'_> {
     pub fn files(&self) -> Vec<(&'static str, String)> {
         let Some(winner) = &self.winner else { return vec![] };
         let mut files = vec![("design.toml", winner.text.clone())];
-        files.extend(drawings(&winner.scene));
-        files.push(("report.html", design_page(&winner.scene, &winner.run, self.said())));
+        files.extend(winner.scene.shown(&winner.run, self.said()));
         files
     }
 }

@@ -1,11 +1,13 @@
 //! What is said of a search: of its winner beside its numbers, or why there is none.
 
-use super::{DesignStudy, Winner};
+use super::designed::end_of;
+use super::{DesignStudy, Designed, Winner};
 use carom_scene::unit::Dimension;
 use carom_scene::{DesignWorstReport, RangeEnd, Word, labelled};
-use carom_study::Ending;
 use carom_study::design::{Demand, ENOUGH, Forbidden};
+use carom_study::{Ending, Landed};
 use carom_words::number::fixed;
+use carom_words::part::Names;
 use carom_words::{Words, part, study};
 use std::collections::BTreeMap;
 
@@ -25,7 +27,7 @@ pub fn unit(demand: Demand) -> &'static str {
     }
 }
 
-impl DesignStudy<'_> {
+impl<S: Designed> DesignStudy<'_, S> {
     /// What must be said of the winner beside its numbers: its worst drops, ranges that end where it is, walls that it works by.
     pub fn said(&self) -> Vec<String> {
         self.winner.as_ref().map(|winner| sentences(self, winner)).unwrap_or_default()
@@ -57,36 +59,32 @@ impl DesignStudy<'_> {
     }
 }
 
-impl Winner {
+impl<S: Designed> Winner<S> {
     /// How the part comes to lie on every plate but the one it starts on, in words.
     pub fn delivered(&self) -> Vec<String> {
         let feeder = self.scene.feeder();
         let end =
             |i| format!("{} on \"{}\"", study::ending(Ending::of(&self.run, i)), part::obstacle(feeder, i));
-        (1..feeder.plates.len()).map(end).collect()
+        (1..feeder.plate_count()).map(end).collect()
     }
 
     /// Pose and speed in which the part leaves the last plate.
     pub fn afterwards(&self) -> String {
         let feeder = self.scene.feeder();
-        let last = part::obstacle(feeder, feeder.plates.len() - 1);
-        let Some(exit) = &self.to_the_end.exit else {
-            let word = self.to_the_end.outcome.word().replace('_', " ");
-            return format!("it does not leave \"{last}\": {word} after {:.3} s", self.to_the_end.end_time);
+        let last = part::obstacle(feeder, feeder.plate_count() - 1);
+        let Some(exit) = S::leaving(&self.to_the_end) else {
+            let word = end_of(self.to_the_end.outcome());
+            return format!("it does not leave \"{last}\": {word} after {:.3} s", self.to_the_end.end_time());
         };
-        let (velocity, state) = (exit.state.twist.velocity, &exit.state);
-        let below = carom_num::elementary::atan2(-velocity.y, velocity.x.abs()).to_degrees();
+        let (below, turned) = (exit.below.to_degrees(), &exit.turned);
         format!(
-            "leaves \"{last}\" after {:.3} s at {:.3} m/s, {below:.1}° below the horizontal, its drawing turned by {:.1}°, turning at {:.3} 1/s",
-            exit.time,
-            velocity.norm(),
-            state.pose.angle.to_degrees(),
-            state.twist.spin
+            "leaves \"{last}\" after {:.3} s at {:.3} m/s, {below:.1}° below the horizontal, {turned}",
+            exit.time, exit.speed
         )
     }
 }
 
-fn not_possible(designed: &DesignStudy<'_>) -> String {
+fn not_possible(designed: &DesignStudy<'_, impl Designed>) -> String {
     let mut text = format!("{}: NOT POSSIBLE", designed.scene.name());
     let failed = |demand: Demand| {
         designed.found.forbidden.iter().filter(|f| f.demand == demand).map(|f| f.failed).sum::<u64>()
@@ -122,7 +120,7 @@ fn not_possible(designed: &DesignStudy<'_>) -> String {
 /// A value nearer to the end of its range than this share of the range is at the end: the last look around a design reaches no nearer.
 const AT_END: f64 = 0.01;
 
-fn sentences(designed: &DesignStudy<'_>, winner: &Winner) -> Vec<String> {
+fn sentences<S: Designed>(designed: &DesignStudy<'_, S>, winner: &Winner<S>) -> Vec<String> {
     let mut all = vec![worst_sentence(designed, winner)];
     for (path, end) in at_range_ends(designed, winner) {
         let value =
@@ -135,7 +133,7 @@ fn sentences(designed: &DesignStudy<'_>, winner: &Winner) -> Vec<String> {
     }
     let feeder = winner.scene.feeder();
     let walls: Vec<String> = wall_strikes(winner)
-        .map(|(wall, count)| (part::obstacle(feeder, feeder.plates.len() + wall), count))
+        .map(|(wall, count)| (part::obstacle(feeder, feeder.plate_count() + wall), count))
         .map(|(wall, count)| match count {
             0 => format!("it touches the {wall}"),
             1 => format!("it strikes the {wall} once"),
@@ -151,7 +149,7 @@ fn sentences(designed: &DesignStudy<'_>, winner: &Winner) -> Vec<String> {
     all
 }
 
-fn worst_sentence(designed: &DesignStudy<'_>, winner: &Winner) -> String {
+fn worst_sentence<S: Designed>(designed: &DesignStudy<'_, S>, winner: &Winner<S>) -> String {
     let (limits, worst) = (&designed.limits, &winner.worst);
     let against = |value: f64, limit: Option<f64>, unit: &str| match limit {
         None => String::new(),
@@ -171,7 +169,7 @@ fn worst_sentence(designed: &DesignStudy<'_>, winner: &Winner) -> String {
 }
 
 /// The same for a program.
-pub(super) fn worst(designed: &DesignStudy<'_>, winner: &Winner) -> DesignWorstReport {
+pub(super) fn worst<S: Designed>(designed: &DesignStudy<'_, S>, winner: &Winner<S>) -> DesignWorstReport {
     let (limits, worst) = (&designed.limits, &winner.worst);
     let holds = |value: f64, limit: Option<f64>| limit.is_none_or(|limit| value <= limit);
     DesignWorstReport {
@@ -186,7 +184,10 @@ pub(super) fn worst(designed: &DesignStudy<'_>, winner: &Winner) -> DesignWorstR
 }
 
 /// The quantities that are at an end of their range, and at which.
-pub(super) fn at_range_ends(designed: &DesignStudy<'_>, winner: &Winner) -> BTreeMap<String, Word<RangeEnd>> {
+pub(super) fn at_range_ends<S: Designed>(
+    designed: &DesignStudy<'_, S>,
+    winner: &Winner<S>,
+) -> BTreeMap<String, Word<RangeEnd>> {
     let free = designed.scene.design().map(|design| design.free.as_slice()).unwrap_or_default();
     let mut found = BTreeMap::new();
     for (quantity, value) in designed.space.quantities().zip(&winner.values) {
@@ -204,18 +205,14 @@ pub(super) fn at_range_ends(designed: &DesignStudy<'_>, winner: &Winner) -> BTre
 }
 
 /// How often the winner strikes each wall that it touches, where nothing varies.
-fn wall_strikes(winner: &Winner) -> impl Iterator<Item = (usize, usize)> {
-    let (feeder, run) = (winner.scene.feeder(), &winner.run);
-    let strikes = move |wall: usize| {
-        let number = feeder.plates.len() + wall;
-        let on = |i: &&carom_motion::planar::trace::Impact| i.contacts.iter().any(|c| c.obstacle == number);
-        run.trace.impacts.iter().filter(on).count()
-    };
-    run.walls_touched.iter().map(move |wall| (*wall, strikes(*wall)))
+fn wall_strikes<S: Designed>(winner: &Winner<S>) -> impl Iterator<Item = (usize, usize)> {
+    let (plates, run) = (winner.scene.feeder().plate_count(), &winner.run);
+    run.walls_touched().iter().map(move |wall| (*wall, S::strikes(run, plates + wall)))
 }
 
 /// The same by the names that paths have.
-pub(super) fn wall_strikes_by_name(winner: &Winner) -> BTreeMap<String, usize> {
-    let walls = &winner.scene.feeder().walls;
-    wall_strikes(winner).map(|(wall, count)| (walls[wall].name.clone(), count)).collect()
+pub(super) fn wall_strikes_by_name<S: Designed>(winner: &Winner<S>) -> BTreeMap<String, usize> {
+    let feeder = winner.scene.feeder();
+    let name = |wall: usize| feeder.given(feeder.plate_count() + wall).to_owned();
+    wall_strikes(winner).map(|(wall, count)| (name(wall), count)).collect()
 }

@@ -1,25 +1,25 @@
 //! The best layout, in round values, confirmed with drops of its own.
 
-use super::{StudyError, Watched};
-use carom_feeder::Run;
+use super::{Designed, RunOf, StudyError, Watched};
 use carom_scene::unit::Dimension;
-use carom_scene::{Drawn, Scene};
-use carom_study::design::{Design, Extremes, Goal, Judged, Worst, to_the_end};
+use carom_scene::{Scene, Varied};
+use carom_study::Device;
+use carom_study::design::{Design, Extremes, Goal, Judged, Worst};
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
 
 /// The best layout, in values that a workshop can keep.
 #[derive(Clone)]
-pub struct Winner {
+pub struct Winner<S: Designed = Scene> {
     /// The free quantities in their order, SI.
     pub values: Vec<f64>,
     /// The scene as text, tolerances kept.
     pub text: String,
     /// The scene.
-    pub scene: Scene,
+    pub scene: S,
     /// Its run where nothing varies.
-    pub run: Run,
+    pub run: RunOf<S>,
     /// The run followed as far as the part goes.
-    pub to_the_end: Run,
+    pub to_the_end: RunOf<S>,
     /// What it measures where nothing varies.
     pub judged: Judged,
     /// Share of drops that end as wanted within the limits.
@@ -42,12 +42,12 @@ fn rounded(value: f64, dimension: Dimension) -> f64 {
 }
 
 /// The winner in round values; as it was found where the round one is worse.
-pub(super) fn of(
-    watched: &Watched<'_, '_>,
+pub(super) fn of<S: Designed>(
+    watched: &Watched<'_, '_, S>,
     goal: &Goal,
     design: &Design,
     samples: u64,
-) -> Result<Option<Winner>, StudyError> {
+) -> Result<Option<Winner<S>>, StudyError> {
     let space = watched.space;
     let exact = space.values(&design.point);
     let round: Vec<f64> = exact
@@ -62,7 +62,7 @@ pub(super) fn of(
     let round = confirmed(watched, goal, round, samples)?;
     // Round values may cost what sampling cannot tell, and no more.
     let good_enough =
-        |winner: &Winner| winner.yields.high >= design.yields.low && goal.suffices(&winner.yields);
+        |winner: &Winner<S>| winner.yields.high >= design.yields.low && goal.suffices(&winner.yields);
     match round.filter(good_enough) {
         Some(winner) => Ok(Some(winner)),
         None => {
@@ -73,38 +73,38 @@ pub(super) fn of(
 }
 
 /// A layout with these values, judged as a scene of its own; `None` where it fails a demand.
-fn confirmed(
-    watched: &Watched<'_, '_>,
+fn confirmed<S: Designed>(
+    watched: &Watched<'_, '_, S>,
     goal: &Goal,
     values: Vec<f64>,
     samples: u64,
-) -> Result<Option<Winner>, StudyError> {
+) -> Result<Option<Winner<S>>, StudyError> {
     let undone = |why: String| StudyError::Undone(why);
     let scene = watched.space.scene_with(&values)?;
     let text = watched.space.text(&values)?;
-    let run = scene.feeder().run().map_err(|error| undone(error.to_string()))?;
-    let met = |run: &Run| scene.ends_as_wanted(run).unwrap_or(true);
-    let judged = goal.judged(scene.feeder(), carom_scene::extent(scene.feeder()), &run, met(&run));
+    let run = scene.traced().map_err(|error| undone(error.to_string()))?;
+    let met = |run: &RunOf<S>| scene.ends_as_wanted(run).unwrap_or(true);
+    let judged = goal.judged(scene.feeder(), scene.feeder().extent(), &run, met(&run));
     if !judged.failed.is_empty() {
         return Ok(None);
     }
-    let Some(to_the_end) = to_the_end(scene.feeder()) else { return Ok(None) };
+    let Some(to_the_end) = scene.feeder().to_the_end() else { return Ok(None) };
     let yields = |widened: f64, worst: &Worst| -> Result<Estimate, StudyError> {
-        let varied = scene.widened(widened)?;
+        let varied = Varied::over(&scene, widened)?;
         let plan = Plan {
             dimensions: varied.dimensions(),
             samples: samples.div_ceil(REPETITIONS as u64),
             // Other drops than those it was chosen by.
             seed: !goal.seed,
             points: Points::Sobol,
-            plates: scene.feeder().plates.len(),
+            plates: scene.feeder().plate_ends().len(),
             plate: 0,
         };
         let feeder = |point: &[f64]| {
             watched.step();
             varied.feeder(point)
         };
-        let keeps = |run: &Run| {
+        let keeps = |run: &RunOf<S>| {
             worst.see(run);
             met(run) && goal.limits.keeps(run)
         };
