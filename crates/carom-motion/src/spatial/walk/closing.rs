@@ -56,7 +56,7 @@ impl Walker<'_> {
         let impacts = self.impacts.len();
         let mode = Mode::holding(world, series.kept, self.state.pose());
         if self.world.friction().is_some() {
-            let Some(state) = self.landed(series.kept) else { return Ok(Closed::Not) };
+            let Some(state) = self.landed(series.kept, series.left) else { return Ok(Closed::Not) };
             self.state = state;
         } else {
             self.state.spin = spin_on(world, mode, &self.state);

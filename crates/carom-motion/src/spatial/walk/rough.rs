@@ -109,16 +109,34 @@ impl<'w> Walker<'w> {
             slipping: slipping.into_iter().collect(),
             leads: &[],
         };
+        if !apart {
+            self.state = self.without_rises(asked);
+        }
         let (sliding, first) = self.sliding_on(&carried)?;
         self.state = sliding.state(&first, 0.0);
         Ok(())
     }
 
+    /// The state in which none of these supports moves along the normal, by the least change of the motion: it takes energy, if anything.
+    fn without_rises(&self, asked: Supports) -> State {
+        let (world, state) = (self.world, &self.state);
+        let bearing = |i: usize| Bearing {
+            arm: world.arm(i, state.pose()),
+            axes: world.axes(i, state.pose()).map(|axis| state.attitude.undo(axis)),
+            drive: state.attitude.undo(self.velocity_of(i)),
+            ..Bearing::default()
+        };
+        let bearings: Vec<Bearing> = asked.iter().map(bearing).collect();
+        let (velocity, spin) = Grip { body: world.body(), bearings: &bearings }.taken_back();
+        State { velocity: state.velocity + state.attitude.apply(velocity), spin: state.spin + spin, ..*state }
+    }
+
     /// The state in which none of these supports moves along the normal, where a series of impacts with friction comes to its limit.
     ///
     /// The impulses of the series are those of the weight meanwhile less what stops the support that has just risen. Since the stretch that follows starts at the
-    /// last impact and not at the limit, it brings those of the weight; here the others are taken back, with their share of friction.
-    pub(super) fn landed(&self, kept: Supports) -> Option<State> {
+    /// last impact and not at the limit, it brings those of the weight; here the others are taken back, with their share of friction. Where nothing is `left` of the series
+    /// no weight is still to come: what rises is stopped without friction, which would drive the body on.
+    pub(super) fn landed(&self, kept: Supports, left: f64) -> Option<State> {
         let (body, state, friction) = (self.world.body(), &self.state, self.world.friction()?);
         if kept.len() > MOST_BEARING {
             return None;
@@ -131,7 +149,7 @@ impl<'w> Walker<'w> {
             Bearing {
                 arm: self.world.arm(i, state.pose()),
                 axes: self.world.axes(i, state.pose()).map(|axis| state.attitude.undo(axis)),
-                friction: friction.coefficient(i),
+                friction: if left > 0.0 { friction.coefficient(i) } else { 0.0 },
                 sticks,
                 toward: if sticks {
                     Vec3::ZERO
