@@ -24,6 +24,12 @@ class Delivered:
     """Name of the plate."""
 
 
+DesignExit = Exit | SpaceExit
+"""How the part leaves the last plate: the pose of a part that moves in the plane, place and attitude of a solid
+one.
+"""
+
+
 @dataclass(frozen=True, kw_only=True)
 class DesignLayout:
     """A layout."""
@@ -79,6 +85,22 @@ class Forbidden:
 
 
 @dataclass(frozen=True, kw_only=True)
+class SpaceExit:
+    """How the part left the last plate."""
+
+    attitude: list[float]
+    """The rotation of the part's axes into the world's, as a unit quaternion: w, x, y, z."""
+    position_m: list[float]
+    """Mass centre, world axes [m]."""
+    spin_rad_s: list[float]
+    """Angular velocity, in the part's axes [rad/s]."""
+    t_s: float
+    """When [s]."""
+    velocity_m_s: list[float]
+    """Velocity of the mass centre, world axes [m/s]."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Design(Answer):
     """The answer to an inverse design."""
 
@@ -94,7 +116,7 @@ class Design(Answer):
     """The same as data."""
     ends: Literal["landed", "delivered", "stuck", "on_end", "jammed", "missed", "escaped", "never_flat", "unresolved", "blocked"] | None = None
     """How the winner's run ends that is followed as far as the part goes: `delivered`, or why it is not."""
-    exit: Exit | None = None
+    exit: DesignExit | None = None
     """How it leaves the last plate, where nothing varies; null where it does not, and without a winner."""
     forbidden: list[Forbidden]
     """What the demands forbid, by the first look."""
