@@ -135,12 +135,18 @@ def module(schema: str, common: dict[str, Any]) -> str:
         if names:
             lines += [f"from carom.answers.{SHARED} import (", *(f"    {name}," for name in names), ")"]
     lines += ["", ""]
+    several: list[str] = []
     for name, node in own.items():
         if "properties" in node:
             lines += class_of(schema, name_of(schema, name), node, "(Answer)" if name in roots else "")
+            continue
+        alias = [f"{name_of(schema, name)} = {kind(schema, node)}", *described(node.get("description", name), ""), "", ""]
+        if kind(schema, node).startswith("Literal["):
+            lines += alias
         else:
-            # A type alias: words, or one of several classes.
-            lines += [f"{name_of(schema, name)} = {kind(schema, node)}", *described(node.get("description", name), ""), "", ""]
+            # One of several classes: they are known below all of them.
+            several += alias
+    lines += several
     if "properties" in root:
         lines += class_of(schema, roots[root["title"]], root, "(Answer)")
     return "\n".join(lines).rstrip() + "\n"

@@ -24,12 +24,6 @@ class Delivered:
     """Name of the plate."""
 
 
-DesignExit = Exit | SpaceExit
-"""How the part leaves the last plate: the pose of a part that moves in the plane, place and attitude of a solid
-one.
-"""
-
-
 @dataclass(frozen=True, kw_only=True)
 class DesignLayout:
     """A layout."""
@@ -98,6 +92,12 @@ class SpaceExit:
     """When [s]."""
     velocity_m_s: list[float]
     """Velocity of the mass centre, world axes [m/s]."""
+
+
+DesignExit = Exit | SpaceExit
+"""How the part leaves the last plate: the pose of a part that moves in the plane, place and attitude of a solid
+one.
+"""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -329,10 +329,6 @@ class Twist:
     """Velocity of the mass centre [m/s]."""
 
 
-Verdict = Side | int
-"""`same` or `turned`, or the number of the face that is down."""
-
-
 @dataclass(frozen=True, kw_only=True)
 class Wanted:
     """What is wanted on a plate, and whether a run has it."""
@@ -359,6 +355,10 @@ class Work:
     """Impacts."""
     rhs_evaluations: int
     """Evaluations of a mode's forces and accelerations."""
+
+
+Verdict = Side | int
+"""`same` or `turned`, or the number of the face that is down."""
 
 
 @dataclass(frozen=True, kw_only=True)
