@@ -53,8 +53,11 @@ pub(crate) fn run(
                 let found = limits::sought(&*scene, options);
                 let found = found.as_ref();
                 let report = Told::Space(Box::new(space_tasks::run_report(&scene, &run, found)));
-                let mut path =
-                    files::write_bytes(&folder, "motion.glb", &space_tasks::motion_glb(&scene, &run))?;
+                let mut path = files::write_bytes(
+                    &folder,
+                    "motion.glb",
+                    &carom_figure::space_glb(scene.feeder(), &run),
+                )?;
                 for (name, text) in space_tasks::run_files(&scene, &run, found)? {
                     path = files::write(&folder, name, &text)?;
                 }

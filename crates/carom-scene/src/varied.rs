@@ -91,14 +91,6 @@ impl Scene {
     pub fn varied(&self) -> Result<Varied<'_>, Problems> {
         Varied::of(Cow::Borrowed(self), 1.0)
     }
-
-    /// As [`Scene::varied`], every tolerance so many times as wide.
-    ///
-    /// # Errors
-    /// As [`Scene::varied`].
-    pub fn widened(&self, by: f64) -> Result<Varied<'_>, Problems> {
-        Varied::of(Cow::Borrowed(self), by)
-    }
 }
 
 impl SpaceScene {

@@ -2,7 +2,7 @@
 
 use super::{MADE_BY, shown as shown_limit};
 use carom_feeder::spatial::Run;
-use carom_figure::{LiveSolid, SpaceFigure, Wish, live_space, space_glb, space_report};
+use carom_figure::{LiveSolid, SpaceFigure, Wish, live_space, space_report};
 use carom_scene::{FoundLimits, SpaceRunReport, SpaceScene};
 use carom_words::part;
 use std::fmt::Write as _;
@@ -52,11 +52,6 @@ pub fn run_files(
     ])
 }
 
-/// The run as one file of glTF 2.0, with the motion, for whatever shows models in space: see [`space_glb`].
-pub fn motion_glb(scene: &SpaceScene, run: &Run) -> Vec<u8> {
-    space_glb(scene.feeder(), run)
-}
-
 /// The report of a run piece by piece, for a page that stays open.
 ///
 /// # Example
@@ -75,23 +70,14 @@ pub fn live(scene: &SpaceScene, run: &Run) -> LiveSolid {
 /// The report of a run of a layout that was found, with what must be said of it.
 pub fn design_page(scene: &SpaceScene, run: &Run, mut said: Vec<String>) -> String {
     said.extend(scene.notes().iter().cloned());
-    shown_with(scene, (run, &said), &SpaceRunReport::new(scene, run), space_report)
+    let page = |figure: &SpaceFigure<'_>| space_report(&SpaceFigure { notes: &said, ..*figure });
+    shown(scene, run, &SpaceRunReport::new(scene, run), page)
 }
 
 /// A run as a figure shows it.
 fn shown<T>(
     scene: &SpaceScene,
     run: &Run,
-    report: &SpaceRunReport,
-    show: impl FnOnce(&SpaceFigure<'_>) -> T,
-) -> T {
-    shown_with(scene, (run, scene.notes()), report, show)
-}
-
-/// The same with other notes than those of the scene.
-fn shown_with<T>(
-    scene: &SpaceScene,
-    (run, notes): (&Run, &[String]),
     report: &SpaceRunReport,
     show: impl FnOnce(&SpaceFigure<'_>) -> T,
 ) -> T {
@@ -114,7 +100,7 @@ fn shown_with<T>(
         margins: &report.faces.iter().map(|face| face.margin_m).collect::<Vec<_>>(),
         limits: &limits.filter_map(|limit| shown_limit(scene, limit)).collect::<Vec<_>>(),
         approximations: &report.approximations.iter().map(|found| found.text.clone()).collect::<Vec<_>>(),
-        notes,
+        notes: scene.notes(),
         source: scene.source(),
         made_by: MADE_BY,
     })

@@ -65,7 +65,7 @@ impl Sliding<'_> {
     fn turned_back_apart(&self, y: &Vector, rate: &Vector, slip: &Slowing) -> f64 {
         let size = SLIP_TURN * slip.speed;
         let now = self.moment(y);
-        let (velocity, spin) = self.admissible(&now, slip.aside * size);
+        let (velocity, spin) = self.admissible(&now, (slip.aside * size, Vec3::ZERO), &[]);
         let arm = slip.from_foot + now.foot;
         let share = (velocity + spin.cross(arm)).dot(slip.aside) / size;
         if share < LEAST_FREEDOM {
@@ -195,10 +195,10 @@ impl Sliding<'_> {
     ) -> Option<Step<Vector>> {
         let end = stages[STAGES - 1];
         let between = std::array::from_fn(|i| (NODES[i], stages[i]));
-        let rates = stages.map(|stage| self.rate(&stage));
         let starts = !self.resting(&self.moment(start.0)).is_empty();
-        let first = if starts { radau::rate_before(&rates) } else { *start.1 };
-        Step::through((*start.0, first), &between, (end, rates[STAGES - 1]), length)
+        let before = || radau::rate_before(&stages.map(|stage| self.rate(&stage)));
+        let first = if starts { before() } else { *start.1 };
+        Step::through((*start.0, first), &between, (end, self.rate(&end)), length)
     }
 }
 

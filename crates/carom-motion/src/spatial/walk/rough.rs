@@ -119,16 +119,21 @@ impl<'w> Walker<'w> {
 
     /// The state in which none of these supports moves along the normal, by the least change of the motion: it takes energy, if anything.
     fn without_rises(&self, asked: Supports) -> State {
-        let (world, state) = (self.world, &self.state);
-        let bearing = |i: usize| Bearing {
-            arm: world.arm(i, state.pose()),
-            axes: world.axes(i, state.pose()).map(|axis| state.attitude.undo(axis)),
-            drive: state.attitude.undo(self.velocity_of(i)),
-            ..Bearing::default()
-        };
-        let bearings: Vec<Bearing> = asked.iter().map(bearing).collect();
-        let (velocity, spin) = Grip { body: world.body(), bearings: &bearings }.taken_back();
+        let state = &self.state;
+        let bearings: Vec<Bearing> = asked.iter().map(|i| self.bearing(i)).collect();
+        let (velocity, spin) = Grip { body: self.world.body(), bearings: &bearings }.taken_back();
         State { velocity: state.velocity + state.attitude.apply(velocity), spin: state.spin + spin, ..*state }
+    }
+
+    /// A support without friction that has to take its velocity away.
+    fn bearing(&self, support: usize) -> Bearing {
+        let (pose, attitude) = (self.state.pose(), self.state.attitude);
+        Bearing {
+            arm: self.world.arm(support, pose),
+            axes: self.world.axes(support, pose).map(|axis| attitude.undo(axis)),
+            drive: attitude.undo(self.velocity_of(support)),
+            ..Bearing::default()
+        }
     }
 
     /// The state in which none of these supports moves along the normal, where a series of impacts with friction comes to its limit.
@@ -143,12 +148,10 @@ impl<'w> Walker<'w> {
         }
         let rises = kept.iter().map(|i| self.rise_of(i).abs()).fold(0.0, f64::max);
         let bearing = |i: usize| {
-            let (slip, velocity) = (self.slip_of(i), self.velocity_of(i));
+            let slip = self.slip_of(i);
             // A slip that is no faster than the bounces has been stopped by the impulses of the bounces still to come.
             let sticks = slip.norm() <= SWEPT * rises;
             Bearing {
-                arm: self.world.arm(i, state.pose()),
-                axes: self.world.axes(i, state.pose()).map(|axis| state.attitude.undo(axis)),
                 friction: if left > 0.0 { friction.coefficient(i) } else { 0.0 },
                 sticks,
                 toward: if sticks {
@@ -156,7 +159,7 @@ impl<'w> Walker<'w> {
                 } else {
                     state.attitude.undo(slip.unit().unwrap_or(Vec3::ZERO))
                 },
-                drive: state.attitude.undo(velocity),
+                ..self.bearing(i)
             }
         };
         let bearings: Vec<Bearing> = kept.iter().map(bearing).collect();

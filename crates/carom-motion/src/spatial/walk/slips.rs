@@ -71,29 +71,25 @@ impl Sliding<'_> {
     /// Of all motions in which no support leaves its plane or moves across its direction it is, by the body's own mass, the one nearest to what a push on every support along its
     /// direction does.
     fn starting_apart(&self, now: &Moment, resting: Supports) -> Option<Vector> {
-        let starting: Vec<&Bearing> = self
-            .carriers
-            .iter()
-            .zip(&now.bearings)
-            .filter(|(c, _)| resting.contains(c.support))
-            .map(|(_, b)| b)
-            .collect();
+        if resting.is_empty() {
+            return None;
+        }
+        let all = self.carriers.iter().zip(&now.bearings);
+        let starting: Vec<&Bearing> =
+            all.filter(|(c, _)| resting.contains(c.support)).map(|(_, b)| b).collect();
         let body = self.body;
         let pushed = starting.iter().fold((Vec3::ZERO, Vec3::ZERO), |(velocity, spin), b| {
             (velocity + b.toward / body.mass(), spin + body.mobility() * b.arm.cross(b.toward))
         });
-        let moved = |(velocity, spin): (Vec3, Vec3), b: &Bearing| velocity + spin.cross(b.arm);
-        let mut bearings = self.bearings(now, Supports::NONE, |b, _| moved(pushed, b));
-        bearings.extend(starting.iter().map(|b| {
+        let across = |b: &&Bearing| {
             let axes = [b.up(), b.toward, b.up().cross(b.toward)];
-            Bearing { axes, friction: 0.0, sticks: false, drive: moved(pushed, b), ..**b }
-        }));
-        let (back, turned_back) = self.answered(&bearings);
-        let own = (pushed.0 + back, pushed.1 + turned_back);
-        let slips: f64 = starting.iter().map(|b| moved(own, b).dot(b.toward)).sum();
+            Bearing { axes, friction: 0.0, sticks: false, ..**b }
+        };
+        let across: Vec<Bearing> = starting.iter().map(across).collect();
+        let (velocity, spin) = self.admissible(now, pushed, &across);
+        let slips: f64 = starting.iter().map(|b| (velocity + spin.cross(b.arm)).dot(b.toward)).sum();
         let scale = starting.len() as f64 / slips;
-        let start = self.changed(&[0.0; DIMENSIONS], own.0 * scale, own.1 * scale, now);
-        (slips > 0.0).then_some(start)
+        (slips > 0.0).then(|| self.changed(&[0.0; DIMENSIONS], velocity * scale, spin * scale, now))
     }
 
     /// On one plane: the foot's slip, world axes, and the turn about the normal that goes with it.

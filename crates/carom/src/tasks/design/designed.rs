@@ -1,7 +1,7 @@
 //! What a design asks of a scene beyond what every study does: in the plane and in space.
 
 use crate::tasks::{design_page, drawings, space};
-use carom_feeder::{Outcome, Run, RunError, spatial};
+use carom_feeder::{Run, RunError, spatial};
 use carom_num::Vec2;
 use carom_num::elementary::atan2;
 use carom_scene::{DesignExitReport, Drawn, Scene, SpaceScene};
@@ -108,10 +108,4 @@ impl Designed for SpaceScene {
     fn shown(&self, run: &spatial::Run, said: Vec<String>) -> Vec<(&'static str, String)> {
         vec![("report.html", space::design_page(self, run, said))]
     }
-}
-
-/// How a run ends that is followed as far as the part goes.
-pub(super) fn end_of(outcome: Outcome) -> String {
-    use carom_words::Words;
-    outcome.word().replace('_', " ")
 }

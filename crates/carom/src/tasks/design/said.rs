@@ -1,6 +1,5 @@
 //! What is said of a search: of its winner beside its numbers, or why there is none.
 
-use super::designed::end_of;
 use super::{DesignStudy, Designed, Winner};
 use carom_scene::unit::Dimension;
 use carom_scene::{DesignWorstReport, RangeEnd, Word, labelled};
@@ -73,7 +72,7 @@ impl<S: Designed> Winner<S> {
         let feeder = self.scene.feeder();
         let last = part::obstacle(feeder, feeder.plate_count() - 1);
         let Some(exit) = S::leaving(&self.to_the_end) else {
-            let word = end_of(self.to_the_end.outcome());
+            let word = self.to_the_end.outcome().word().replace('_', " ");
             return format!("it does not leave \"{last}\": {word} after {:.3} s", self.to_the_end.end_time());
         };
         let (below, turned) = (exit.below.to_degrees(), &exit.turned);

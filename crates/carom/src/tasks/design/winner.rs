@@ -6,6 +6,7 @@ use carom_scene::{Scene, Varied};
 use carom_study::Device;
 use carom_study::design::{Design, Extremes, Goal, Judged, Worst};
 use carom_study::yields::{Estimate, Plan, Points, REPETITIONS, sample};
+use carom_words::part::Names;
 
 /// The best layout, in values that a workshop can keep.
 #[derive(Clone)]
@@ -97,7 +98,7 @@ fn confirmed<S: Designed>(
             // Other drops than those it was chosen by.
             seed: !goal.seed,
             points: Points::Sobol,
-            plates: scene.feeder().plate_ends().len(),
+            plates: scene.feeder().plate_count(),
             plate: 0,
         };
         let feeder = |point: &[f64]| {

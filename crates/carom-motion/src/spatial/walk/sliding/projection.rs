@@ -58,7 +58,7 @@ impl Sliding<'_> {
     }
 
     /// How the mass centre and the body answer impulses that take the drives away: velocity and spin, body axes.
-    pub(in crate::spatial) fn answered(&self, bearings: &[Bearing]) -> (Vec3, Vec3) {
+    fn answered(&self, bearings: &[Bearing]) -> (Vec3, Vec3) {
         Grip { body: self.body, bearings }.taken_back()
     }
 
@@ -92,10 +92,17 @@ impl Sliding<'_> {
         self.moved(rate, &self.bearings(&now, resting, drive), &now)
     }
 
-    /// What a shift of the whole body leaves of itself, velocity and spin, where no support may leave its plane, and none that sticks may move.
-    pub(in crate::spatial) fn admissible(&self, now: &Moment, velocity: Vec3) -> (Vec3, Vec3) {
-        let bearings = self.bearings(now, Supports::NONE, |_, _| velocity);
+    /// What a motion of the whole body leaves of itself, velocity and spin, where no support may leave its plane, none that sticks may move, and none of `others` along its normal.
+    pub(in crate::spatial) fn admissible(
+        &self,
+        now: &Moment,
+        (velocity, spin): (Vec3, Vec3),
+        others: &[Bearing],
+    ) -> (Vec3, Vec3) {
+        let moved = |b: &Bearing| velocity + spin.cross(b.arm);
+        let mut bearings = self.bearings(now, Supports::NONE, |b, _| moved(b));
+        bearings.extend(others.iter().map(|b| Bearing { drive: moved(b), ..*b }));
         let (taken, turn) = self.answered(&bearings);
-        (velocity + taken, turn)
+        (velocity + taken, spin + turn)
     }
 }
