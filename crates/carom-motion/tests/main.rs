@@ -36,6 +36,7 @@ mod spatial_renumbered;
 mod spatial_rough_random;
 mod spatial_rough_stools;
 mod spatial_round;
+mod spatial_rounded;
 mod spatial_sliding;
 mod spatial_stools;
 mod spatial_symmetries;

@@ -61,9 +61,13 @@ impl Names for spatial::Feeder {
     /// Corners and faces go by their numbers, edges by those of the corners at their ends.
     fn part_of(&self, feature: &Touch) -> String {
         match *feature {
-            Touch::Point { point, .. } => format!("corner {point}"),
+            Touch::Point { point, .. }
+            | Touch::PointOnEdge { point, .. }
+            | Touch::PointOnCorner { point, .. } => format!("corner {point}"),
             Touch::Face { face, .. } => format!("face {face}"),
-            Touch::Edge { ends: [a, b], .. } => format!("edge {a}–{b}"),
+            Touch::Edge { ends: [a, b], .. } | Touch::EdgeOnCorner { ends: [a, b], .. } => {
+                format!("edge {a}–{b}")
+            }
         }
     }
 

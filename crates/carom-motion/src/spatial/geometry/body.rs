@@ -207,6 +207,22 @@ impl Body {
         self.round
     }
 
+    /// The radius of the balls about its points: 0 where all are sharp. `None` where there is a circle, or balls are unlike: then no one ball rounds all of the body.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::{Body, Feature};
+    /// use carom_num::{Mat3, Vec3};
+    /// let end = |x: f64, radius| Feature::point(Vec3::X * x).rounded(radius);
+    /// let bar = |radii: [f64; 2]| Body::of(1.0, Mat3::IDENTITY, vec![end(-0.2, radii[0]), end(0.2, radii[1])]);
+    /// assert_eq!(bar([0.05, 0.05]).unwrap().rounding(), Some(0.05));
+    /// assert_eq!(bar([0.05, 0.04]).unwrap().rounding(), None);
+    /// ```
+    pub fn rounding(&self) -> Option<f64> {
+        let radius = self.features.first().map_or(0.0, |first| first.radius);
+        self.features.iter().all(|own| own.circle == 0.0 && own.radius == radius).then_some(radius)
+    }
+
     /// Distance of the farthest point of a support from the mass centre \[m\].
     ///
     /// # Example

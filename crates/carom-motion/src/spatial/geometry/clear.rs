@@ -1,9 +1,10 @@
 //! What is certain not to touch for some time, told by a look at one instant: most of what a body and an obstacle have.
 
+use super::crossing::Crossing;
+use super::nearest::Nearest;
 use super::pair::Pair;
 use super::posture::{Height, Most, Moving};
 use super::state::State;
-use super::surface::Edge;
 use super::world::{Support, World};
 use crate::tolerance::{CLEAR_OF_ROUNDING, FAR};
 use carom_num::segment::distance;
@@ -41,12 +42,12 @@ impl Outlook {
         (self.centre + arm, (speed + 0.5 * bend * self.time) * self.time)
     }
 
-    /// True where an edge of the body cannot come to one of an obstacle in the time.
-    fn keeps_apart(&self, own: &Edge, other: &Edge, spare: f64) -> bool {
-        let ends = own.ends().map(|end| self.moves(end));
+    /// True where an edge of the body cannot come to one of an obstacle in the time, each given by its ends.
+    fn keeps_apart(&self, own: [Vec3; 2], other: [Vec3; 2], spare: f64) -> bool {
+        let ends = own.map(|end| self.moves(end));
         // No point between the ends goes farther than both.
         let far = ends[0].1.max(ends[1].1);
-        distance(ends.map(|(place, _)| place), other.ends()) > far + spare
+        distance(ends.map(|(place, _)| place), other) > far + spare
     }
 
     /// A place of the world, body axes.
@@ -86,20 +87,25 @@ impl World {
                 let (_, far) = ahead.moves(seen);
                 face.plane.height(seen).abs() > far + spare || seen.norm() > self.body().reach() + far + spare
             }
-            Some(Pair::Cross { own, other }) => {
+            Some(Pair::Cross(Crossing { own, other, radius })) => {
+                let spare = spare + radius;
                 let (middle, far) = ahead.moves(own.middle());
                 let along = other.along.dot(middle - other.from).clamp(0.0, other.length);
                 let distance = (other.from + other.along * along - middle).norm();
-                distance > 0.5 * own.length + far + spare || ahead.keeps_apart(own, other, spare)
+                distance > 0.5 * own.length + far + spare
+                    || ahead.keeps_apart(own.ends(), other.ends(), spare)
+            }
+            Some(Pair::Round(Nearest { own, other, radius, .. })) => {
+                ahead.keeps_apart(own.ends(), other.ends(), spare + radius)
             }
         }
     }
 
     /// For so long at least edges that may cross stay farther apart than `spare` \[s\], however parallel they become; 0 of other supports.
     pub(in crate::spatial) fn apart(&self, support: usize, state: &State, most: &Most, spare: f64) -> f64 {
-        let Some(Pair::Cross { own, other }) = self.pair(support) else { return 0.0 };
+        let Some(Pair::Cross(Crossing { own, other, radius })) = self.pair(support) else { return 0.0 };
         let ends = own.ends();
-        let clear = distance(ends.map(|end| state.place(end)), other.ends()) - spare;
+        let clear = distance(ends.map(|end| state.place(end)), other.ends()) - radius - spare;
         let largest = |of: &dyn Fn(Vec3) -> f64| ends.into_iter().map(of).fold(0.0, f64::max);
         let speed = largest(&|end| state.velocity_of(end).norm());
         let bent = most.turning + most.spin * most.spin;
@@ -109,11 +115,11 @@ impl World {
 
     fn point_is_clear(&self, support: usize, ahead: &Outlook, spare: f64) -> bool {
         let Support { feature, plane } = self.support(support);
-        if !feature.is_sharp() {
+        if feature.circle > 0.0 {
             return false;
         }
         let (place, far) = ahead.moves(feature.point);
-        let height = plane.height(place);
+        let height = plane.height(place) - feature.radius;
         let limits = &self.limits[self.plane_of(support)];
         let behind = !limits.is_empty() && height < -(far + spare);
         height > far + spare || behind || limits.iter().any(|limit| limit.margin(place) < -(far + spare))

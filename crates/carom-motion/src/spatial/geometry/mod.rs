@@ -2,10 +2,12 @@
 
 pub(in crate::spatial) mod body;
 pub(in crate::spatial) mod clear;
+pub(in crate::spatial) mod crossing;
 pub(in crate::spatial) mod feature;
 pub(in crate::spatial) mod friction;
 pub(in crate::spatial) mod hull;
 pub(in crate::spatial) mod named;
+pub(in crate::spatial) mod nearest;
 pub(in crate::spatial) mod obstacle;
 pub(in crate::spatial) mod pair;
 pub(in crate::spatial) mod plane;

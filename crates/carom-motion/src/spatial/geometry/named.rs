@@ -1,7 +1,8 @@
 //! What the supports of a body are called: what touches what.
 
+use super::crossing::Crossing;
+use super::nearest::Nearest;
 use super::pair::Pair;
-use super::surface::Edge;
 use super::world::World;
 use carom_num::Vec3;
 
@@ -43,6 +44,27 @@ pub enum Touch {
         /// The obstacle's edge.
         other: usize,
     },
+    /// A ball at a point of the body on an edge of the obstacle.
+    PointOnEdge {
+        /// Its number among [`super::body::Body::supports`].
+        point: usize,
+        /// The obstacle's edge.
+        other: usize,
+    },
+    /// A rounded edge of the body on a corner of the obstacle.
+    EdgeOnCorner {
+        /// The points of the body at its ends.
+        ends: [usize; 2],
+        /// The obstacle's corner.
+        corner: usize,
+    },
+    /// A ball at a point of the body on a corner of the obstacle.
+    PointOnCorner {
+        /// Its number among [`super::body::Body::supports`].
+        point: usize,
+        /// The obstacle's corner.
+        corner: usize,
+    },
 }
 
 impl World {
@@ -56,16 +78,23 @@ impl World {
         };
         let obstacle = &self.obstacles[self.obstacle_of(support)];
         let place = pair - share.pairs.start;
-        match &self.pairs[pair] {
+        let ends = |edge: [Vec3; 2]| edge.map(|end| self.point_at(end));
+        let edge = |from: Vec3| obstacle.edges.iter().position(|edge| edge.from == from).unwrap_or_default();
+        let corner = |r: Vec3| obstacle.corners.iter().position(|own| *own == r).unwrap_or_default();
+        Some(match &self.pairs[pair] {
             Pair::Corner { .. } => {
                 let corners = obstacle.corners.len();
-                Some(Touch::Face { face: place / corners, corner: place % corners })
+                Touch::Face { face: place / corners, corner: place % corners }
             }
-            Pair::Cross { own, .. } => {
-                let edges = place - self.surface.faces.len() * obstacle.corners.len();
-                Some(Touch::Edge { ends: self.ends_of(own), other: edges % obstacle.edges.len() })
+            Pair::Cross(Crossing { own, other, .. }) => {
+                Touch::Edge { ends: ends(own.ends()), other: edge(other.from) }
             }
-        }
+            Pair::Round(Nearest { own, other, .. }) => match (own.is_edge(), other.is_edge()) {
+                (true, _) => Touch::EdgeOnCorner { ends: ends(own.ends()), corner: corner(other.from) },
+                (_, true) => Touch::PointOnEdge { point: self.point_at(own.from), other: edge(other.from) },
+                _ => Touch::PointOnCorner { point: self.point_at(own.from), corner: corner(other.from) },
+            },
+        })
     }
 
     /// The unit normal of a face of the body, outwards, body axes; `None` where there is no such face, or no obstacle that faces could touch.
@@ -73,13 +102,10 @@ impl World {
         self.surface.faces.get(face).map(|face| face.plane.normal())
     }
 
-    /// The points of the body at the ends of an edge.
-    fn ends_of(&self, edge: &Edge) -> [usize; 2] {
-        let nearest = |place: Vec3| {
-            let distance = |r: &Vec3| (*r - place).norm();
-            let points = self.body().supports().iter().enumerate();
-            points.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b))).map_or(0, |(i, _)| i)
-        };
-        [nearest(edge.from), nearest(edge.from + edge.along * edge.length)]
+    /// The point of the body that is nearest to a place, body axes.
+    fn point_at(&self, place: Vec3) -> usize {
+        let distance = |r: &Vec3| (*r - place).norm();
+        let points = self.body().supports().iter().enumerate();
+        points.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b))).map_or(0, |(i, _)| i)
     }
 }

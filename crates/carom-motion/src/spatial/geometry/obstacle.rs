@@ -140,6 +140,7 @@ impl Obstacle {
         let edges: Vec<Edge> = (0..count).filter_map(edge).collect();
         let spokes = (0..count).map(|k| vec![edges[k].along, -edges[(k + count - 1) % count].along]);
         Ok(Self::of(Surface {
+            radius: 0.0,
             spokes: spokes.collect(),
             faces: vec![face, Facet::of(-normal, &back)],
             edges,

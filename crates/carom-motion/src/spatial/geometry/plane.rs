@@ -99,6 +99,11 @@ impl Plane {
         [first, second, self.normal]
     }
 
+    /// The same plane, farther along its normal.
+    pub(in crate::spatial) fn raised(&self, by: f64) -> Self {
+        Self { offset: self.offset + by, ..*self }
+    }
+
     /// The part of a vector along the plane.
     pub(in crate::spatial) fn along(&self, v: Vec3) -> Vec3 {
         v - self.normal * self.normal.dot(v)

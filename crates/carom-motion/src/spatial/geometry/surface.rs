@@ -6,6 +6,7 @@ use super::polyhedron::Polyhedron;
 use super::state::Pose;
 use crate::tolerance::PARALLEL_EDGES;
 use carom_num::Vec3;
+use carom_num::segment::distance;
 
 /// A half-space: `inward · r + offset` is positive in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,6 +51,8 @@ pub(in crate::spatial) struct Surface {
     pub(in crate::spatial) corners: Vec<Vec3>,
     /// Unit vectors from each corner along its edges.
     pub(in crate::spatial) spokes: Vec<Vec<Vec3>>,
+    /// Of the ball about every place of it: 0 of what is sharp.
+    pub(in crate::spatial) radius: f64,
 }
 
 impl Edge {
@@ -60,6 +63,21 @@ impl Edge {
 }
 
 impl Facet {
+    /// A segment goes through it.
+    fn is_crossed(&self, [a, b]: [Vec3; 2]) -> bool {
+        let [low, high] = [a, b].map(|r| self.plane.height(r));
+        if low * high >= 0.0 {
+            return false;
+        }
+        let at = a + (b - a) * (low / (low - high));
+        self.limits.iter().all(|limit| limit.margin(at) >= 0.0)
+    }
+
+    /// The same, so far outside.
+    pub(in crate::spatial) fn raised(&self, by: f64) -> Self {
+        Self { plane: self.plane.raised(by), limits: self.limits.clone() }
+    }
+
     /// The face with these corners, counter-clockwise as seen from outside.
     pub(in crate::spatial) fn of(normal: Vec3, corners: &[Vec3]) -> Self {
         // Of corners that are not quite on one plane the outermost.
@@ -95,6 +113,60 @@ impl Edge {
 }
 
 impl Surface {
+    /// That of a ball, or of the balls at both ends of an edge and all between them.
+    pub(in crate::spatial) fn of_round(points: &[Vec3], radius: f64) -> Self {
+        let none =
+            Self { corners: points.to_vec(), spokes: vec![vec![]; points.len()], radius, ..Self::default() };
+        let [first, last] = points[..] else { return none };
+        let Some(along) = (last - first).unit() else { return none };
+        let length = (last - first).norm();
+        // No face ends it: it touches all around.
+        let edge = Edge { from: first, along, length, sides: [Vec3::ZERO; 2], outward: Vec3::ZERO };
+        Self { edges: vec![edge], spokes: vec![vec![along], vec![-along]], ..none }
+    }
+
+    /// How far this one, which moves with a body, is from another one; negative where they overlap. Of a sharp one that is [`Surface::separation`].
+    pub(in crate::spatial) fn apart(&self, other: &Self, pose: Pose) -> f64 {
+        if self.radius == 0.0 {
+            return self.separation(other, pose);
+        }
+        let placed = |r: Vec3| pose.centre + pose.attitude.apply(r);
+        let own: Vec<Vec3> = self.corners.iter().map(|r| placed(*r)).collect();
+        let seen: Vec<Vec3> = other.corners.iter().map(|r| pose.attitude.undo(*r - pose.centre)).collect();
+        let spans: Vec<[Vec3; 2]> = match self.edges[..] {
+            [] => own.iter().map(|place| [*place; 2]).collect(),
+            ref edges => edges.iter().map(|edge| edge.ends().map(placed)).collect(),
+        };
+        let of_edges =
+            spans.iter().flat_map(|own| other.edges.iter().map(|edge| distance(*own, edge.ends())));
+        let above = |faces: &[Facet], corners: &[Vec3]| {
+            let over = |face: &Facet| {
+                let inside = |r: &Vec3| face.limits.iter().all(|limit| limit.margin(*r) >= 0.0);
+                let heights = corners.iter().filter(|r| inside(r)).map(|r| face.plane.height(*r));
+                heights.filter(|height| *height >= 0.0).fold(f64::INFINITY, f64::min)
+            };
+            faces.iter().map(over).fold(f64::INFINITY, f64::min)
+        };
+        let distance = of_edges.fold(f64::INFINITY, f64::min);
+        let distance = distance.min(above(&other.faces, &own)).min(above(&self.faces, &seen));
+        // Where one is in the other some edge goes through a face, or all of it is inside.
+        let crosses = |faces: &[Facet], ends: &[[Vec3; 2]]| {
+            faces.iter().any(|face| ends.iter().any(|ends| face.is_crossed(*ends)))
+        };
+        let seen_edges: Vec<[Vec3; 2]> =
+            other.edges.iter().map(|edge| edge.ends().map(|r| pose.attitude.undo(r - pose.centre))).collect();
+        let within = |faces: &[Facet], corners: &[Vec3]| {
+            !faces.is_empty()
+                && corners.first().is_some_and(|r| faces.iter().all(|face| face.plane.height(*r) < 0.0))
+        };
+        let inside = crosses(&other.faces, &spans)
+            || crosses(&self.faces, &seen_edges)
+            || within(&other.faces, &own)
+            || within(&self.faces, &seen);
+        let deep = self.separation(other, pose).min(0.0);
+        (if inside { deep } else { distance }) - self.radius
+    }
+
     /// How far this one, which moves with a body, is from another one at least; negative where they overlap, by how far the body has to move to be beside it.
     ///
     /// # Source
@@ -143,6 +215,6 @@ impl Surface {
             }
         }
         let corners = (0..shape.vertices().len()).map(place).collect();
-        Self { faces: faces.collect(), edges, corners, spokes }
+        Self { faces: faces.collect(), edges, corners, spokes, radius: 0.0 }
     }
 }

@@ -112,7 +112,7 @@ impl World {
     /// The first obstacle with ends that the body is in, and how deep; where it touches one it is not deeper than `spare`.
     pub(in crate::spatial) fn overlap(&self, pose: Pose, spare: f64) -> Option<(usize, f64)> {
         let with_ends = self.obstacles.iter().enumerate().filter(|(_, other)| !other.corners.is_empty());
-        let mut deep = with_ends.map(|(i, other)| (i, -self.surface.separation(other, pose)));
+        let mut deep = with_ends.map(|(i, other)| (i, -self.surface.apart(other, pose)));
         deep.find(|(_, depth)| *depth > spare)
     }
 
@@ -131,7 +131,7 @@ impl World {
     /// ```
     pub fn reaches_into(&self, state: &State, spare: f64) -> Vec<(usize, f64)> {
         let depth = |obstacle: usize| match self.obstacles.get(obstacle) {
-            Some(other) if !other.corners.is_empty() => -self.surface.separation(other, state.pose()),
+            Some(other) if !other.corners.is_empty() => -self.surface.apart(other, state.pose()),
             _ => {
                 let [points, _] = self.of_obstacle(obstacle);
                 points.map(|i| -measured(self, state, None, i)).fold(f64::NEG_INFINITY, f64::max)
@@ -373,13 +373,14 @@ impl World {
         let rate = match self.pair(number) {
             Some(pair) => pair.margin_rate(limit, state),
             None => {
-                let velocity = state.velocity_of(self.arm(number, state.pose()));
+                // Its place moves as fast as its centre does: only points and balls touch faces that have ends.
+                let velocity = state.velocity_of(self.support(number).feature.point);
                 self.limits[self.plane_of(number)][limit].inward.dot(velocity)
             }
         };
         let still = self.still(state);
         // An edge that ends just on another one touches with its corner: a box slides over the seam of two plates.
-        let least = if matches!(self.pair(number), Some(Pair::Cross { .. })) { still } else { -still };
+        let least = if matches!(self.pair(number), Some(Pair::Cross(_))) { still } else { -still };
         [0.5 * beyond - margin, least - rate]
     }
 }

@@ -1,15 +1,17 @@
 //! A body among fixed obstacles, and the world's own units.
 
 use super::body::Body;
+use super::crossing::Crossing;
 use super::feature::Feature;
 use super::friction::{Friction, FrictionProblem};
 use super::hull::HullProblem;
+use super::nearest::{Nearest, Span};
 use super::obstacle::{Obstacle, Rough};
 use super::pair::Pair;
 use super::plane::Plane;
 use super::polyhedron::Polyhedron;
 use super::supports::Supports;
-use super::surface::{Limit, Surface};
+use super::surface::{Edge, Limit, Surface};
 use crate::tolerance::{ON_EDGE, ONE_SUPPORT};
 use carom_num::Vec3;
 use std::ops::Range;
@@ -83,8 +85,10 @@ pub enum ObstaclesProblem {
         /// How many there are.
         pairs: usize,
     },
-    /// A body with balls or circles, and obstacles that have ends.
-    #[error("a body with balls or circles touches planes without ends alone: an obstacle has edges")]
+    /// A body with circles or unlike balls, and obstacles that have ends.
+    #[error(
+        "a body with circles, or with balls of different radii, touches planes without ends alone: an obstacle has edges"
+    )]
     Round,
     /// A body whose points have no hull with edges and faces, and obstacles that have ends.
     #[error("the body needs edges and faces where an obstacle has ends: {0}")]
@@ -320,14 +324,17 @@ fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Ve
     if obstacles.iter().all(|obstacle| obstacle.corners.is_empty()) {
         return Ok((Surface::default(), vec![]));
     }
-    if body.is_round() {
-        return Err(ObstaclesProblem::Round);
+    let radius = body.rounding().ok_or(ObstaclesProblem::Round)?;
+    if radius > 0.0 && body.supports().len() <= 2 {
+        let surface = Surface::of_round(body.supports(), radius);
+        let spokes = surface.spokes.clone();
+        return Ok((surface, spokes));
     }
     let (points, flatness) = (body.supports(), ONE_SUPPORT * body.reach());
     let shape = Polyhedron::of_points(points, flatness).map_err(|problems| {
         ObstaclesProblem::Shape(problems.into_iter().next().unwrap_or(HullProblem::Unclear { flatness }))
     })?;
-    let surface = Surface::of(&shape, points);
+    let surface = Surface { radius, ..Surface::of(&shape, points) };
     let mut spokes = vec![vec![]; points.len()];
     for (source, own) in shape.sources().iter().zip(&surface.spokes) {
         spokes[*source].clone_from(own);
@@ -335,19 +342,46 @@ fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Ve
     Ok((surface, spokes))
 }
 
-/// What a body may touch of an obstacle besides its faces: each of its faces each of the corners, then each of its edges each of the edges.
+/// What a body may touch of an obstacle besides its faces: each of its faces each of the corners, then each of its edges each of the edges. Where it is round, each of its points each of
+/// the edges, each of its edges each of the corners, and each of its points each of the corners too.
 fn pairs_of(own: &Surface, obstacle: &Surface) -> Vec<Pair> {
+    let radius = own.radius;
+    let corners = || obstacle.corners.iter().zip(&obstacle.spokes);
     let mut pairs = vec![];
     for face in &own.faces {
         let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| Pair::Corner {
-            face: face.clone(),
+            face: face.raised(radius),
             corner: *corner,
             spokes: spokes.clone(),
         };
-        pairs.extend(obstacle.corners.iter().zip(&obstacle.spokes).map(of));
+        pairs.extend(corners().map(of));
     }
     for edge in &own.edges {
-        pairs.extend(obstacle.edges.iter().map(|other| Pair::Cross { own: *edge, other: *other }));
+        let of = |other: &Edge| Pair::Cross(Crossing { own: *edge, other: *other, radius });
+        pairs.extend(obstacle.edges.iter().map(of));
+    }
+    if radius == 0.0 {
+        return pairs;
+    }
+    let points = || own.corners.iter().zip(&own.spokes);
+    let round = |(own, inner): (Span, &[Vec3]), (other, outer): (Span, &[Vec3])| {
+        Pair::Round(Nearest { own, other, radius, inner: inner.to_vec(), outer: outer.to_vec() })
+    };
+    for (point, spokes) in points() {
+        let of = |edge: &Edge| round((Span::point(*point), spokes), (Span::edge(edge), &edge.sides));
+        pairs.extend(obstacle.edges.iter().map(of));
+    }
+    for edge in &own.edges {
+        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| {
+            round((Span::edge(edge), &edge.sides), (Span::point(*corner), spokes))
+        };
+        pairs.extend(corners().map(of));
+    }
+    for (point, own) in points() {
+        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| {
+            round((Span::point(*point), own), (Span::point(*corner), spokes))
+        };
+        pairs.extend(corners().map(of));
     }
     pairs
 }

@@ -1,6 +1,7 @@
 //! Supports that stay on what they touch for as long as others are held: nothing has to be searched for there.
 
 use super::walker::Walker;
+use crate::spatial::geometry::crossing::Crossing;
 use crate::spatial::geometry::pair::Pair;
 use crate::spatial::geometry::state::Pose;
 use crate::spatial::geometry::supports::Supports;
@@ -16,7 +17,7 @@ impl Walker<'_> {
     pub(super) fn flush(&self) -> Supports {
         let (world, pose) = (self.world, self.state.pose());
         let held = self.mode.held(world);
-        if held.len() < 2 || world.body().is_round() {
+        if held.len() < 2 || world.body().rounding().is_none() {
             return Supports::NONE;
         }
         let near = SKIMS_BESIDE * self.scales.length;
@@ -44,11 +45,11 @@ impl Walker<'_> {
 
     /// True where two of these supports hold the body's edge of a crossing at different places.
     fn edge_is_held(&self, pair: &Pair, carriers: Supports, pose: Pose) -> bool {
-        let Pair::Cross { own, .. } = pair else { return false };
+        let Pair::Cross(Crossing { own, .. }) = pair else { return false };
         let (world, reach) = (self.world, self.world.body().reach());
         let on = |i: &usize| match world.pair(*i) {
-            Some(Pair::Cross { own: other, .. }) => is_one(own, other),
-            Some(Pair::Corner { .. }) => false,
+            Some(Pair::Cross(Crossing { own: other, .. })) => is_one(own, other),
+            Some(Pair::Corner { .. } | Pair::Round(_)) => false,
             None => (world.point(*i) - own.from).cross(own.along).norm() <= ON_EDGE * reach,
         };
         let along: Vec<f64> =

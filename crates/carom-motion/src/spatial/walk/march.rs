@@ -178,9 +178,15 @@ impl<M: Motion> Gliding<'_, '_, M> {
             }
         };
         let Some(fall) = first_fall(&mut course) else { return Break(None) };
-        let around =
-            [-FALLS_WITHIN, FALLS_WITHIN].map(|by| (from + (fall.at + by) * rest).clamp(from, until));
+        let mut around = [-FALLS_WITHIN, FALLS_WITHIN].map(|by| (fall.at + by).clamp(0.0, 1.0));
+        // A hop that is short beside the step is seen, but not so exactly.
+        if course(around[0])[0] <= 0.0 {
+            around = [0.0, around[0]];
+        }
+        let over = course(around[1])[0] > 0.0;
+        let around = around.map(|share| from + share * rest);
         match waits {
+            Waits::Above if over => Continue(around[1] + LEAST_MARCH),
             Waits::Above => {
                 let at = root_between(around, step.length, &mut |x| self.look(step, support, x));
                 if self.is_within(step, support, at) {

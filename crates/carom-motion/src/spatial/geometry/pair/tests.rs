@@ -1,6 +1,8 @@
 //! Rates against differences.
 
 use super::*;
+use crate::spatial::geometry::nearest::Span;
+use crate::spatial::geometry::surface::Edge;
 use carom_num::Rotation;
 
 const STEP: f64 = 1e-6;
@@ -26,7 +28,7 @@ where
 }
 
 /// An edge of a wedge across an edge of another one, and a face of it above a corner.
-fn pairs() -> [Pair; 2] {
+fn pairs() -> Vec<Pair> {
     let edge = |from: Vec3, along: Vec3, outward: Vec3| {
         let along = along.unit().unwrap();
         Edge { from, along, length: 0.7, sides: [along.cross(outward), outward.cross(along)], outward }
@@ -36,7 +38,20 @@ fn pairs() -> [Pair; 2] {
     let corners = [(-0.3, -0.2), (0.3, -0.2), (0.3, 0.2), (-0.3, 0.2)];
     let corners: Vec<Vec3> = corners.iter().rev().map(|(x, y)| Vec3::new(*x, *y, -0.1)).collect();
     let face = Facet::of(-Vec3::Z, &corners);
-    [Pair::Cross { own, other }, Pair::Corner { face, corner: Vec3::new(0.05, -0.03, -0.02), spokes: vec![] }]
+    let corner = Vec3::new(0.05, -0.03, -0.02);
+    let round = |own: Span, other: Span| {
+        let (inner, outer) = (vec![Vec3::X, Vec3::new(0.0, 0.6, 0.8)], vec![-Vec3::Y]);
+        Pair::Round(Nearest { own, other, radius: 0.05, inner, outer })
+    };
+    let point = Vec3::new(-0.1, 0.05, -0.1);
+    vec![
+        Pair::Cross(Crossing { own, other, radius: 0.0 }),
+        Pair::Cross(Crossing { own, other, radius: 0.04 }),
+        Pair::Corner { face, corner, spokes: vec![] },
+        round(Span::point(point), Span::edge(&other)),
+        round(Span::edge(&own), Span::point(corner)),
+        round(Span::point(point), Span::point(corner)),
+    ]
 }
 
 fn moving() -> Moving {
@@ -123,7 +138,7 @@ fn what_is_turned_away_stays_so_for_as_long_as_is_said() {
         outward: -Vec3::Z,
     };
     let other = Edge::of_plate(Vec3::ZERO, Vec3::Y, Vec3::Z).unwrap();
-    let pair = Pair::Cross { own, other };
+    let pair = Pair::Cross(Crossing { own, other, radius: 0.0 });
     let spin = Vec3::new(2.0, -1.0, 0.6);
     let pose = |time: f64| Pose { centre: Vec3::ZERO, attitude: Rotation::by(spin * time) };
     let (step, count) = (1e-3, 6000_u32);

@@ -9,7 +9,8 @@ use crate::tolerance::WEIGHTLESS;
 impl Sliding<'_> {
     /// Marks the carriers that carry nothing where the stretch starts.
     pub(super) fn note_idle(&mut self, first: &Vector) {
-        if !self.apart {
+        // On one plane a body that rolls on an edge holds along it with both ends.
+        if !self.apart && self.carriers.iter().filter(|c| c.sticks).count() < 2 {
             return;
         }
         let now = self.moment(first);
