@@ -6,6 +6,7 @@ use crate::tally::Tally;
 use carom_feeder::Stop;
 use carom_feeder::spatial::{Feeder, Part, Plate, Run, Start, Wall, WallForm};
 use carom_motion::spatial::{Options, Polyhedron, State, World};
+use carom_num::segment::distance;
 use carom_num::{Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -69,6 +70,7 @@ fn gained(world: &World, run: &Run) -> f64 {
 fn deepest(feeder: &Feeder, run: &Run) -> f64 {
     let body = &feeder.part.body;
     let (size, corners) = (body.reach(), body.supports());
+    let radius = body.rounding().unwrap_or_default();
     let edges = edges(&feeder.part);
     let sheets: Vec<[Vec3; 4]> =
         feeder.plates.iter().flat_map(|plate| plate.corners(size).into_iter().chain(plate.sides())).collect();
@@ -77,15 +79,22 @@ fn deepest(feeder: &Feeder, run: &Run) -> f64 {
         let place = |i: usize| state.place(corners[i]);
         let solid = Convex {
             corners: (0..corners.len()).map(place).collect(),
-            edges: edges.iter().map(|[a, b]| place(*a) - place(*b)).collect(),
+            edges: edges.iter().map(|ends| ends.map(place)).collect(),
             normals: feeder.part.faces.iter().map(|face| state.attitude.apply(face.normal)).collect(),
+            faces: feeder
+                .part
+                .faces
+                .iter()
+                .map(|face| face.corners.iter().map(|i| place(*i)).collect())
+                .collect(),
+            radius,
         };
         let near = |sheet: &&[Vec3; 4]| is_near(state, size, sheet);
         deepest = sheets.iter().filter(near).map(|sheet| solid.depth(sheet)).fold(deepest, f64::max);
         for wall in &feeder.walls {
             if let WallForm::Beside { z } = wall.form {
                 let beyond = |corner: &Vec3| corner.z * z.signum() - z.abs();
-                deepest = solid.corners.iter().map(beyond).fold(deepest, f64::max);
+                deepest = solid.corners.iter().map(|r| beyond(r) + radius).fold(deepest, f64::max);
             }
         }
     }
@@ -108,18 +117,38 @@ fn edges(part: &Part) -> Vec<[usize; 2]> {
     all.filter(|[a, b]| a < b).collect()
 }
 
-/// A convex solid in its place.
+/// A convex solid in its place, with a ball of a radius about all of its places.
 struct Convex {
     corners: Vec<Vec3>,
-    edges: Vec<Vec3>,
+    edges: Vec<[Vec3; 2]>,
     normals: Vec<Vec3>,
+    faces: Vec<Vec<Vec3>>,
+    radius: f64,
 }
 
 impl Convex {
-    /// How far a sheet has to be moved at least to leave it; 0 where it is beside it. By the axes along which two convex bodies can be apart.
+    /// How far a sheet has to be moved at least to leave it; 0 where it is beside it.
     fn depth(&self, sheet: &[Vec3; 4]) -> f64 {
+        let sharp = self.sharp_depth(sheet);
+        if self.radius == 0.0 || sharp > 0.0 {
+            return if sharp > 0.0 { sharp + self.radius } else { 0.0 };
+        }
+        (self.radius - self.distance(sheet)).max(0.0)
+    }
+
+    /// How far a sheet beside the sharp one is from it: between edges, or from a corner of one to a face of the other.
+    fn distance(&self, sheet: &[Vec3; 4]) -> f64 {
+        let of_sheet: Vec<[Vec3; 2]> = sides(sheet).collect();
+        let edges = self.edges.iter().flat_map(|own| of_sheet.iter().map(|side| distance(*own, *side)));
+        let own = self.corners.iter().map(|corner| over(sheet, *corner));
+        let faces = self.faces.iter().flat_map(|face| sheet.iter().map(|corner| over(face, *corner)));
+        edges.chain(own).chain(faces).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The depth of the sharp one, by the axes along which two convex bodies can be apart.
+    fn sharp_depth(&self, sheet: &[Vec3; 4]) -> f64 {
         let sides = [sheet[1] - sheet[0], sheet[3] - sheet[0]];
-        let crossed = self.edges.iter().flat_map(|edge| sides.map(|side| edge.cross(side)));
+        let crossed = self.edges.iter().flat_map(|[a, b]| sides.map(|side| (*b - *a).cross(side)));
         let own = self.normals.iter().copied().chain([sides[0].cross(sides[1])]);
         let mut least = f64::INFINITY;
         for axis in own.chain(crossed).filter_map(Vec3::unit) {
@@ -135,6 +164,31 @@ impl Convex {
         }
         least
     }
+}
+
+fn sides(corners: &[Vec3]) -> impl Iterator<Item = [Vec3; 2]> {
+    (0..corners.len()).map(|k| [corners[k], corners[(k + 1) % corners.len()]])
+}
+
+/// How far a place is from a face that it is above or below; infinite of others.
+fn over(face: &[Vec3], place: Vec3) -> f64 {
+    let Some(normal) = (face[1] - face[0]).cross(face[2] - face[1]).unit() else { return f64::INFINITY };
+    let inside = sides(face).all(|[a, b]| normal.cross(b - a).dot(place - a) >= 0.0);
+    if inside { normal.dot(place - face[0]).abs() } else { f64::INFINITY }
+}
+
+/// The same part with round edges, now and then: where three faces meet at every corner.
+fn rounded(rng: &mut Pcg64, part: Part) -> Part {
+    let thin = part.faces.iter().map(|face| face.depth).fold(f64::INFINITY, f64::min);
+    let (round, radius) = (rng.random_bool(0.3), thin * draw::across(rng, 0.01, 0.9));
+    let hull = Polyhedron::of_points(part.body.supports(), FLAT * part.body.reach());
+    let rounding = hull.ok().filter(|_| round).and_then(|hull| hull.rounded(radius).ok());
+    let density = 7850.0;
+    let made = rounding.and_then(|rounding| {
+        let heft = (rounding.solid.volume * density, rounding.solid.inertia * density);
+        Part::about((&rounding.inner, radius), rounding.solid.centre, heft).ok()
+    });
+    made.filter(|made| made.faces.len() == part.faces.len()).unwrap_or(part)
 }
 
 /// A box, a tetrahedron, a prism or the hull of some points.
@@ -215,5 +269,7 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
         face: rng.random_range(0..part.faces.len()),
     };
     let stop = if rng.random_bool(0.5) { Stop::Landed } else { Stop::Delivered };
-    Some(Feeder { gravity: 9.81, stop, law: draw::law(rng), part, start, plates, walls })
+    let law = draw::law(rng);
+    let part = rounded(rng, part);
+    Some(Feeder { gravity: 9.81, stop, law, part, start, plates, walls })
 }

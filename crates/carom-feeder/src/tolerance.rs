@@ -28,3 +28,5 @@ pub(crate) const ON_ONE_LINE: f64 = 1e-6;
 pub(crate) const WIDE: f64 = 400.0;
 /// Corners of one face of a box are on its plane to this share of the box's diagonal: rounding.
 pub(crate) const BOX_HULL: f64 = 1e-12;
+/// Places of a surface that is drawn are of one face within this part of the body's reach.
+pub(crate) const DRAWN_FLAT: f64 = 1e-9;

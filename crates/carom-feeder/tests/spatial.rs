@@ -276,6 +276,21 @@ fn tetrahedra_that_are_fast_leave_their_plates() {
     }
 }
 
+/// Friction strikes it at once, and again after every impact that it forces: that ends, and by name.
+#[test]
+fn a_tetrahedron_that_friction_strikes_without_end_jams() {
+    let corners = [[-3.76, -0.61, 0.35], [2.68, -1.95, -1.82], [0.49, 0.49, 3.57], [0.59, 2.07, -2.1]];
+    let corners = corners.map(|[x, y, z]| Vec3::new(x, y, z) * 1e-3);
+    let hull = Polyhedron::of_points(&corners, 1e-9).unwrap();
+    let part = spatial::Part::of(&hull, &hull.solid().unwrap(), 7850.0).unwrap();
+    let steep =
+        spatial::Plate { friction: 4.6, restitution: 0.5, ..examples::two_plates().plates[0].clone() };
+    let steep = spatial::Plate { uphill: Vec2::new(-0.02, 0.018), edge: Vec2::ZERO, ..steep };
+    let start = spatial::Start { to_edge: 8.5e-3, aside: 0.0, turn: 0.15, speed: 0.33, face: 0 };
+    let feeder = spatial::Feeder { start, part, plates: vec![steep], ..examples::two_plates() };
+    assert_eq!(feeder.run_untraced().unwrap().outcome, Outcome::Jammed);
+}
+
 #[test]
 fn runs_end_as_in_the_plane() {
     let with = |friction: f64, lower: Vec2, stop: Stop| {

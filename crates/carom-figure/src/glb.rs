@@ -59,15 +59,11 @@ pub fn space_glb(feeder: &Feeder, run: &Run) -> Vec<u8> {
 
 /// The triangles of the part by their materials.
 fn part_pieces(feeder: &Feeder) -> [(usize, Vec<[Vec3; 3]>); 2] {
-    let corners = feeder.part.body.supports();
-    let of = |face: &carom_feeder::spatial::Face| {
-        fan(&face.corners.iter().map(|corner| corners[*corner]).collect::<Vec<_>>())
-    };
-    let faces = feeder.part.faces.iter().enumerate();
+    let (corners, faces) = feeder.part.shown();
+    let of = |face: &Vec<usize>| fan(&face.iter().map(|corner| corners[*corner]).collect::<Vec<_>>());
+    let faces = faces.iter().enumerate();
     let (down, others): (Vec<_>, Vec<_>) = faces.partition(|(face, _)| *face == feeder.start.face);
-    let all = |faces: Vec<(usize, &carom_feeder::spatial::Face)>| {
-        faces.into_iter().flat_map(|(_, face)| of(face)).collect()
-    };
+    let all = |faces: Vec<(usize, &Vec<usize>)>| faces.into_iter().flat_map(|(_, face)| of(face)).collect();
     [(PART, all(others)), (START_FACE, all(down))]
 }
 

@@ -17,6 +17,7 @@ const WAY: usize = 400;
 
 /// What the player shows of a run.
 pub(crate) struct SpaceScene {
+    corners: Vec<Vec3>,
     faces: Vec<Vec<usize>>,
     names: Vec<String>,
     around: Vec<SolidPlate>,
@@ -47,8 +48,10 @@ impl SpaceScene {
             start: stage.start_time,
             end: stage.end_time.min(last),
         });
+        let (shown, faces) = feeder.part.shown();
         Self {
-            faces: feeder.part.faces.iter().map(|face| face.corners.clone()).collect(),
+            corners: shown,
+            faces,
             names: (0..corners.len()).map(|corner| corner.to_string()).collect(),
             around: around.into_iter().map(upright_plate).collect(),
             instants: own.into_iter().map(upright_instant).collect(),
@@ -61,9 +64,8 @@ impl SpaceScene {
 
     /// The same as a figure of a body in space.
     pub(crate) fn figure<'a>(&'a self, feeder: &'a Feeder) -> SolidFigure<'a> {
-        let corners = feeder.part.body.supports();
-        let drawing =
-            SolidDrawing { corners, faces: &self.faces, lines: &[], points: corners, names: &self.names };
+        let (corners, faces, points) = (&self.corners, &self.faces, feeder.part.body.supports());
+        let drawing = SolidDrawing { corners, faces, lines: &[], points, names: &self.names };
         SolidFigure {
             title: "",
             verdict: "",
@@ -130,7 +132,8 @@ fn touching(prepared: Option<&Prepared<'_>>, supports: Supports, state: &State) 
     let (mut corners, mut places) = (vec![], vec![]);
     for support in supports.iter() {
         match world.touch(support) {
-            Some(Touch::Point { point, .. }) => corners.push(point),
+            // A rounded one touches beside the middle of its ball.
+            Some(Touch::Point { point, .. }) if !world.body().is_round() => corners.push(point),
             _ => places.extend(world.touches_at(support, state)),
         }
     }

@@ -222,8 +222,8 @@ pub(crate) const FAINT_STRIKE: f64 = 1e-7;
 pub(crate) const SUPPORT_STAYS: f64 = 1e-11;
 /// After an impact a slip below this fraction of the speeds before is rest.
 pub(crate) const SUPPORT_STICKS: f64 = 1e-11;
-/// Approaches, as fractions of the motion's speeds, that press on a support whose slip is about to be stopped at once: the least that gives an answer is taken.
-pub(crate) const PRESSING_APPROACHES: [f64; 3] = [1e-12, 1e-11, 1e-10];
+/// Approaches, as fractions of the motion's speeds, that press on a support whose slip is about to be stopped at once: the least that stops it is taken.
+pub(crate) const PRESSING_APPROACHES: [f64; 5] = [1e-12, 1e-11, 1e-10, 1e-9, 1e-8];
 /// Before an impact a slip below this fraction of the motion's speeds is rounding.
 pub(crate) const SLIP_ROUNDING: f64 = 1e-13;
 

@@ -195,7 +195,8 @@ impl Feeder {
     fn between_at_start(&self, middle: Vec3, across: Vec3) -> f64 {
         let start = self.start_state();
         let beside = |point: &Vec3| (start.place(*point) - middle).dot(across).abs();
-        2.0 * self.part.body.supports().iter().map(beside).fold(0.0, f64::max)
+        let radius = self.part.body.rounding().unwrap_or_default();
+        2.0 * (self.part.body.supports().iter().map(beside).fold(0.0, f64::max) + radius)
     }
 
     /// All that is wrong with the numbers.

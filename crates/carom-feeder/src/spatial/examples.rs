@@ -19,8 +19,8 @@ pub fn block(edges: Vec3, mass: f64) -> Part {
         Mat3::diagonal(square(edges.y, edges.z), square(edges.x, edges.z), square(edges.x, edges.y));
     let hull = Polyhedron::of_points(&corners, BOX_HULL * edges.norm())
         .unwrap_or_else(|_| unreachable!("a box has a hull"));
-    let mut part =
-        Part::about(&hull, Vec3::ZERO, (mass, inertia)).unwrap_or_else(|_| unreachable!("a box is a body"));
+    let mut part = Part::about((&hull, 0.0), Vec3::ZERO, (mass, inertia))
+        .unwrap_or_else(|_| unreachable!("a box is a body"));
     let lowest = part.faces.iter().position(|face| face.normal.y < -0.5).unwrap_or_default();
     part.faces.swap(0, lowest);
     part

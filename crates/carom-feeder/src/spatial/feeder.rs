@@ -1,8 +1,9 @@
 //! What stands on a feeder's drawing, and how wide it is.
 
 use crate::feeder::{Stop, crossing};
+use crate::tolerance::DRAWN_FLAT;
 use carom_impact::Law;
-use carom_motion::spatial::{Body, BodyProblem, Polyhedron, Solid};
+use carom_motion::spatial::{Body, BodyProblem, Feature, Polyhedron, Solid};
 use carom_num::{Mat3, Vec2, Vec3};
 
 /// A plane face of a part: on it the part may lie.
@@ -10,7 +11,7 @@ use carom_num::{Mat3, Vec2, Vec3};
 pub struct Face {
     /// Unit normal, outwards, body axes.
     pub normal: Vec3,
-    /// The points of the body at its corners, counter-clockwise as seen from outside.
+    /// The points of the body at its corners, counter-clockwise as seen from outside; of a rounded part the middles of the balls there.
     pub corners: Vec<usize>,
     /// How far it is from the mass centre [m].
     pub depth: f64,
@@ -19,7 +20,7 @@ pub struct Face {
 /// A solid part: a rigid body, and the faces of its convex hull.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Mass, inertia, and the corners of its hull.
+    /// Mass, inertia, and the corners of its hull, sharp or with a ball of one radius about each.
     pub body: Body,
     /// The faces of the hull.
     pub faces: Vec<Face>,
@@ -47,14 +48,31 @@ impl Part {
     /// ```
     pub fn of(hull: &Polyhedron, solid: &Solid, density: f64) -> Result<Self, PartProblem> {
         let (mass, inertia) = (density * solid.volume, solid.inertia * density);
-        Self::about(hull, solid.centre, (mass, inertia))
+        Self::about((hull, 0.0), solid.centre, (mass, inertia))
     }
 
-    /// The same of a known mass [kg] and inertia about a known mass centre [kg m², m].
+    /// The same of a known mass [kg] and inertia about a known mass centre [kg m², m]. The hull is rounded by balls of a radius [m] about all of its places; 0 leaves it sharp.
     ///
     /// # Errors
     /// As [`Part::of`].
-    pub fn about(hull: &Polyhedron, centre: Vec3, (mass, inertia): (f64, Mat3)) -> Result<Self, PartProblem> {
+    ///
+    /// # Example
+    /// A cube of 1 m whose edges are rounded by 0.1 m: its faces stay where they are.
+    /// ```
+    /// use carom_feeder::spatial::Part;
+    /// use carom_motion::spatial::{Polyhedron, examples::cube_corners};
+    /// let rounding = Polyhedron::of_points(&cube_corners(), 1e-9).unwrap().rounded(0.1).unwrap();
+    /// let solid = rounding.solid;
+    /// let cube = Part::about((&rounding.inner, 0.1), solid.centre, (solid.volume, solid.inertia))?;
+    /// assert_eq!(cube.body.rounding(), Some(0.1));
+    /// assert!(cube.faces.iter().all(|face| (face.depth - 0.5).abs() < 1e-15));
+    /// # Ok::<(), Vec<carom_motion::spatial::BodyProblem>>(())
+    /// ```
+    pub fn about(
+        (hull, radius): (&Polyhedron, f64),
+        centre: Vec3,
+        (mass, inertia): (f64, Mat3),
+    ) -> Result<Self, PartProblem> {
         let corners: Vec<Vec3> = hull.vertices().iter().map(|vertex| *vertex - centre).collect();
         let face = |face: &carom_motion::spatial::Face| Face {
             normal: face.normal,
@@ -62,11 +80,50 @@ impl Part {
                 .corners
                 .iter()
                 .map(|i| face.normal.dot(corners[*i]))
-                .fold(f64::NEG_INFINITY, f64::max),
+                .fold(f64::NEG_INFINITY, f64::max)
+                + radius,
             corners: face.corners.clone(),
         };
         let faces = hull.faces().iter().map(face).collect();
-        Ok(Self { body: Body::new(mass, inertia, corners)?, faces })
+        let features = corners.iter().map(|r| Feature::point(*r).rounded(radius)).collect();
+        Ok(Self { body: Body::of(mass, inertia, features)?, faces })
+    }
+
+    /// Its surface as a picture has it, body axes [m]: corners, and faces by their corners, counter-clockwise as seen from outside. Those of the part come first, by their
+    /// numbers; of a rounded one facets between them follow, two along a round edge.
+    ///
+    /// # Example
+    /// A rounded cube: its 6 faces come first.
+    /// ```
+    /// use carom_feeder::spatial::Part;
+    /// use carom_motion::spatial::{Polyhedron, examples::cube_corners};
+    /// let rounding = Polyhedron::of_points(&cube_corners(), 1e-9).unwrap().rounded(0.1).unwrap();
+    /// let solid = rounding.solid;
+    /// let cube = Part::about((&rounding.inner, 0.1), solid.centre, (solid.volume, solid.inertia))?;
+    /// let (corners, faces) = cube.shown();
+    /// assert!(faces.len() > 6 && faces[0].len() == 4);
+    /// assert!(faces[2].iter().all(|corner| (cube.faces[2].normal.dot(corners[*corner]) - 0.5).abs() < 1e-12));
+    /// # Ok::<(), Vec<carom_motion::spatial::BodyProblem>>(())
+    /// ```
+    pub fn shown(&self) -> (Vec<Vec3>, Vec<Vec<usize>>) {
+        let corners = self.body.supports();
+        let sharp = || (corners.to_vec(), self.faces.iter().map(|face| face.corners.clone()).collect());
+        let Some(radius) = self.body.rounding().filter(|radius| *radius > 0.0) else { return sharp() };
+        let around = |corner: usize| self.faces.iter().filter(move |face| face.corners.contains(&corner));
+        let mut places = vec![];
+        for (corner, at) in corners.iter().enumerate() {
+            let normals: Vec<Vec3> = around(corner).map(|face| face.normal).collect();
+            let pairs =
+                normals.iter().enumerate().flat_map(|(k, a)| normals[k..].iter().map(move |b| *a + *b));
+            let all = normals.iter().fold(Vec3::ZERO, |sum, normal| sum + *normal);
+            places.extend(pairs.chain([all]).filter_map(Vec3::unit).map(|out| *at + out * radius));
+        }
+        let flatness = DRAWN_FLAT * self.body.reach();
+        let Ok(hull) = Polyhedron::of_points(&places, flatness) else { return sharp() };
+        let own = |face: &carom_motion::spatial::Face| self.facing(face.normal).unwrap_or(usize::MAX);
+        let mut faces: Vec<&carom_motion::spatial::Face> = hull.faces().iter().collect();
+        faces.sort_by_key(|face| own(face));
+        (hull.vertices().to_vec(), faces.into_iter().map(|face| face.corners.clone()).collect())
     }
 
     /// The face with this unit normal, body axes; `None` where there is none.

@@ -105,6 +105,11 @@ static SOLID: Table = Table {
             Holds::Quantity(LENGTH),
             "How far corners of one face may be from its plane; from rounding where it is left out.",
         ),
+        key(
+            "corner_radius",
+            Holds::Quantity(LENGTH),
+            "Radius of the part's edges and corners: its faces stay where they are, and it rolls over what is between them. Sharp where it is left out.",
+        ),
         key("mass", Holds::Quantity(MASS), "Mass of the part. Or write density."),
         key("density", Holds::Quantity(DENSITY), "Density of the material. Or write mass."),
         key(
@@ -143,12 +148,7 @@ static SOLID: Table = Table {
             help: "",
         },
     ],
-    foreign: &[Foreign {
-        keys: &["corner_radius"],
-        kind: ProblemKind::Unsupported,
-        message: "is not followed against plates that have ends: a solid part has sharp edges and corners",
-        help: "`carom roll body` throws round ones on a plane",
-    }],
+    foreign: &[],
     inherited: &[],
 };
 

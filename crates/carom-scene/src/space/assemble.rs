@@ -99,7 +99,7 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
     let span = Some(drawing.part.span.clone());
     let problem =
         |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, span.clone());
-    let found = Part::about(&solid.shape.hull, centre, (mass, inertia));
+    let found = Part::about(solid.shape.touching(), centre, (mass, inertia));
     let mut part = found.map_err(|problems| {
         let path =
             |found: &BodyProblem| if matches!(found, BodyProblem::Mass(_)) { "part.mass" } else { "part" };

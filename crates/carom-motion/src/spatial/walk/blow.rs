@@ -17,6 +17,9 @@ use carom_impact::ImpactError;
 use carom_impact::spatial::{Conclusion, staged};
 use carom_num::Vec3;
 
+/// Impacts without approach at one instant after which nothing is left that friction lets go on.
+const MOST_FORCED: u32 = 16;
+
 impl Walker<'_> {
     /// Resolves an impact with friction.
     pub(super) fn strike_rough(
@@ -59,18 +62,38 @@ impl Walker<'_> {
     /// support is pressed as much as that takes.
     pub(super) fn strike_unapproached(&mut self, touching: Supports) -> Result<Option<End>, MotionError> {
         self.forget_series();
+        let (instant, count) = self.forced;
+        self.forced = if instant == self.time { (instant, count + 1) } else { (self.time, 0) };
+        if self.forced.1 > MOST_FORCED {
+            return Ok(Some(no_motion()));
+        }
         let slips = |i: usize| self.slip_of(i) != Vec3::ZERO;
         // Of one that does not slip nothing but the press would be taken back. Several that have just come down slowly had an approach, which holding them has taken away.
         let presses = touching.len() == 1 || self.held_of(touching).is_empty();
         let pressed =
             if presses && touching.iter().any(slips) { PRESSING_APPROACHES.as_slice() } else { &[] };
+        let pushes = |answer: &Answer| {
+            answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0))
+        };
+        let sliding = touching.those(slips);
+        let mut least = None;
         for press in std::iter::once(&0.0).chain(pressed) {
             let answer = self.blow(touching, Some(*press))?;
-            if answer.way.as_ref().is_some_and(|way| way.pushes.iter().any(|(_, p)| p.norm() > 0.0)) {
+            if !pushes(&answer) {
+                continue;
+            }
+            // Where all slide on as they did the press alone is taken back, and the same is asked again.
+            let goes_on =
+                answer.way.as_ref().is_some_and(|way| way.kept == touching && way.sliding == sliding);
+            if *press == 0.0 || !goes_on {
                 return self.struck(touching, Supports::NONE, answer);
             }
+            least = least.or(Some(answer));
         }
-        Ok(Some(no_motion()))
+        match least {
+            Some(answer) => self.struck(touching, Supports::NONE, answer),
+            None => Ok(Some(no_motion())),
+        }
     }
 
     /// Those of these supports that are held.

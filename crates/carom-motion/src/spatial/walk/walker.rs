@@ -48,6 +48,8 @@ pub(super) struct Walker<'w> {
     pub(in crate::spatial) drift: f64,
     /// Where slips that were zero start in the present mode, world axes.
     pub(super) leads: Vec<(usize, Vec3)>,
+    /// When friction has forced the latest impacts without approach \[s\], and how many of them there were at that instant.
+    pub(super) forced: (f64, u32),
     /// Work of friction between impacts so far \[J\].
     pub(in crate::spatial) friction_work: f64,
     pub(in crate::spatial) effort: Effort,
@@ -151,6 +153,7 @@ impl<'w> Walker<'w> {
             closings: vec![],
             drift: 0.0,
             leads: vec![],
+            forced: (f64::NAN, 0),
             friction_work: 0.0,
             effort: Effort::default(),
         })

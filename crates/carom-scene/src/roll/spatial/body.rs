@@ -131,14 +131,9 @@ fn setup(shape: ThrownShape, heft: &MassSpec, body: Body, start: State, throw: T
     }
 }
 
-/// The polyhedron at whose vertices it touches with balls, and their radius \[m\]: 0 of a sharp one.
-fn touching(shape: &ThrownShape) -> (&Polyhedron, f64) {
-    shape.rounding.as_ref().map_or((&shape.hull, 0.0), |(rounding, radius)| (&rounding.inner, *radius))
-}
-
 /// How it stands on each face, of which only the part between the round edges touches.
 fn stances(shape: &ThrownShape, centre: Vec3) -> Vec<Stance> {
-    let (touches, radius) = touching(shape);
+    let (touches, radius) = shape.touching();
     let raised = |stance: Stance| Stance { height: stance.height + radius, ..stance };
     (0..touches.faces().len()).filter_map(|face| touches.stance(face, centre)).map(raised).collect()
 }
@@ -282,7 +277,7 @@ fn body(root: &Section<'_>, shape: &ThrownShape, heft: &MassSpec) -> Option<Body
     if is_too_slender(root, shape, heft) {
         return None;
     }
-    let (touches, radius) = touching(shape);
+    let (touches, radius) = shape.touching();
     let feature = |r: &Vec3| Feature::point(*r - heft.centre).rounded(radius);
     match Body::of(heft.mass, heft.inertia, touches.vertices().iter().map(feature).collect()) {
         Ok(body) if !wide => Some(body),

@@ -49,6 +49,13 @@ pub struct ThrownShape {
     pub rounding: Option<(Rounding, f64)>,
 }
 
+impl ThrownShape {
+    /// The polyhedron at whose vertices it touches with balls, and their radius \[m\]: 0 of a sharp one.
+    pub(crate) fn touching(&self) -> (&Polyhedron, f64) {
+        self.rounding.as_ref().map_or((&self.hull, 0.0), |(rounding, radius)| (&rounding.inner, *radius))
+    }
+}
+
 /// Points, the surface they are of, and the key they come from.
 struct Drawn {
     word: &'static str,
