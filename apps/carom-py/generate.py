@@ -16,6 +16,7 @@ PLACE = HERE / "python/carom/answers"
 #: Which schemas answer, and what their roots are called.
 ANSWERS = {
     "run": {"carom run": "Run"},
+    "space-run": {"carom run: in space": "SolidRun"},
     "impact": {"ImpactAnswerReport": "PlanarImpact", "SpatialImpactReport": "SpatialImpact"},
     "contact": {"carom contact": "Contact"},
     "roll": {"RollReport": "PlanarRoll", "SpatialRollReport": "SpatialRoll", "PoseReport": "Throws"},
@@ -126,7 +127,8 @@ def module(schema: str, common: dict[str, Any]) -> str:
     own = {name: node for name, node in root.get("$defs", {}).items() if schema == SHARED or name not in common}
     about = "What answers of several commands share. Written by `generate.py` from their schemas."
     if schema != SHARED:
-        about = f"Answers of `carom {schema}`. Written by `generate.py` from its schema."
+        told = "`carom run` of a scene with a solid part" if schema == "space-run" else f"`carom {schema}`"
+        about = f"Answers of {told}. Written by `generate.py` from its schema."
     lines = [f'"""{about}"""', "", "from __future__ import annotations", "", "from dataclasses import dataclass", "from typing import Literal", ""]
     if schema != SHARED:
         lines += ["from carom._answer import Answer"]
@@ -157,7 +159,8 @@ def main() -> int:
     wrong = []
     common = shared()
     for schema in [SHARED, *ANSWERS]:
-        place = PLACE / f"{schema}_.py" if keyword.iskeyword(schema) else PLACE / f"{schema}.py"
+        name = schema.replace("-", "_")
+        place = PLACE / f"{name}_.py" if keyword.iskeyword(name) else PLACE / f"{name}.py"
         text = module(schema, common)
         if sys.argv[1:] == ["check"]:
             if not place.is_file() or place.read_text() != text:

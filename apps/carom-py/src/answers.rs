@@ -1,18 +1,18 @@
 //! One question at a time: the answer as the command writes it.
 
 use crate::failure::{of_fault, of_input, of_inputs, of_words};
-use crate::scene::Scene;
+use crate::scene::{Scene, each};
 use crate::watch::long;
 use carom::tasks;
 use carom::tasks::StudyError;
-use carom::tasks::design::{DesignPlan, DesignStudy, design_space};
+use carom::tasks::design::{DesignPlan, DesignStudy, Designed, design_space};
 use carom::tasks::impact::ImpactStudy;
 use carom::tasks::impact::space::SpatialImpactStudy;
 use carom::tasks::roll::RollStudy;
 use carom::tasks::solid::SolidStudy;
 use carom_scene::{
-    AnyImpact, ForceAnswerReport, FoundLimits, ImpactProblem, RollKind, RollProblem, SpatialRollKind,
-    SpatialRollProblem, StudyRunReport,
+    AnyImpact, AnyScene, ForceAnswerReport, FoundLimits, ImpactProblem, RollKind, RollProblem,
+    SpatialRollKind, SpatialRollProblem, StudyRunReport,
 };
 use carom_words::Words;
 use pyo3::prelude::*;
@@ -22,6 +22,8 @@ use std::time::Instant;
 
 /// An answer as JSON, and the files that come with it, by their names.
 pub(crate) type Answer = (String, BTreeMap<String, String>);
+/// The same with files that are no texts.
+pub(crate) type Tabled = (String, BTreeMap<String, String>, BTreeMap<String, Vec<u8>>);
 
 pub(crate) fn pretty(value: &impl Serialize) -> PyResult<String> {
     serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(of_fault)
@@ -67,18 +69,35 @@ pub(crate) fn run(
     scene: &Scene,
     limits: bool,
     progress: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Answer> {
-    let scene = &scene.inner;
-    let done = long(py, None, progress, |watch| {
-        let run = scene.feeder().run()?;
-        let fed = tasks::feed(scene)?;
-        let found = limits.then(|| FoundLimits::of(scene, &mut |_, _| watch.step()));
-        Ok::<_, carom::feeder::RunError>((run, fed, found))
-    })?;
-    let (run, fed, found) = done.map_err(|error| of_words(py, &format!("{}: {error}", scene.name())))?;
-    let mut files = named(tasks::run_files(scene, &run, fed.as_ref(), found.as_ref()).map_err(of_fault)?);
+) -> PyResult<Tabled> {
+    let undone = |error: carom::feeder::RunError| of_words(py, &format!("{}: {error}", scene.inner.name()));
+    let (files, motion) = match &scene.inner {
+        AnyScene::Plane(scene) => {
+            let done = long(py, None, progress, |watch| {
+                let run = scene.feeder().run()?;
+                let fed = tasks::feed(scene)?;
+                let found = limits.then(|| FoundLimits::of(&**scene, &mut |_, _| watch.step()));
+                Ok::<_, carom::feeder::RunError>((run, fed, found))
+            })?;
+            let (run, fed, found) = done.map_err(undone)?;
+            (named(tasks::run_files(scene, &run, fed.as_ref(), found.as_ref()).map_err(of_fault)?), None)
+        }
+        AnyScene::Space(scene) => {
+            let done = long(py, None, progress, |watch| {
+                let run = scene.feeder().run()?;
+                Ok::<_, carom::feeder::RunError>((
+                    run,
+                    limits.then(|| FoundLimits::of(&**scene, &mut |_, _| watch.step())),
+                ))
+            })?;
+            let (run, found) = done.map_err(undone)?;
+            let motion = carom::figure::space_glb(scene.feeder(), &run);
+            (named(tasks::space::run_files(scene, &run, found.as_ref()).map_err(of_fault)?), Some(motion))
+        }
+    };
+    let (mut files, motion) = (files, motion.map(|motion| ("motion.glb".to_owned(), motion)));
     let json = files.remove("run.json").unwrap_or_default();
-    Ok((json, files))
+    Ok((json, files, motion.into_iter().collect()))
 }
 
 /// What `carom impact` says and writes.
@@ -150,15 +169,25 @@ pub(crate) fn roll(
 pub(crate) fn design(
     py: Python<'_>,
     scene: &Scene,
-    scan: u64,
-    samples: u64,
+    scan: Option<u64>,
+    samples: Option<u64>,
     seed: u64,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Answer> {
-    let scene = &scene.inner;
+    each!(scene, scene => designed(py, scene, (scan, samples, seed), progress))
+}
+
+fn designed<S: Designed>(
+    py: Python<'_>,
+    scene: &S,
+    (scan, samples, seed): (Option<u64>, Option<u64>, u64),
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
     let space = design_space(scene).map_err(|error| refused(py, &error))?;
-    let begun = Instant::now();
+    let usual = DesignPlan::usual(scene);
+    let (scan, samples) = (scan.unwrap_or(usual.scan), samples.unwrap_or(usual.samples));
     let plan = DesignPlan { scan, samples, seed };
+    let begun = Instant::now();
     let (study, threads) = long(py, None, progress, |watch| {
         let study = DesignStudy::searched(scene, &space, plan, || watch.step(), |_| {});
         (study, carom_study::threads())

@@ -2,11 +2,11 @@
 
 use crate::failure::{of_input, of_words};
 use crate::given::{Given, Values, at, plate, rows};
-use crate::scene::Scene;
+use crate::scene::{Scene, each};
 use crate::table::{Data, Named, Table};
 use crate::watch::long;
 use carom::tasks::sweep::{FOUND, found};
-use carom_scene::Drawn;
+use carom_scene::{Drawn, Variants};
 use carom_study::sweep;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -24,14 +24,23 @@ pub(crate) fn drops(
     plate: Option<&str>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Table> {
-    let scene = &scene.inner;
+    each!(scene, scene => followed(py, scene, columns, plate, progress))
+}
+
+fn followed<S: Drawn>(
+    py: Python<'_>,
+    scene: &S,
+    columns: Vec<(String, PyReadonlyArray1<'_, f64>)>,
+    plate: Option<&str>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Table> {
     let plate = self::plate(py, scene, plate)?;
     if columns.is_empty() {
         return Err(of_words(py, "no column: give at least one quantity by its path"));
     }
     let (paths, arrays): (Vec<String>, Vec<_>) = columns.into_iter().unzip();
     let paths: Vec<&str> = paths.iter().map(String::as_str).collect();
-    let variants = scene.variants(&paths).map_err(|problems| of_input(py, &problems))?;
+    let variants = Variants::over(scene, &paths).map_err(|problems| of_input(py, &problems))?;
     let values: Vec<Values<'_>> = arrays.iter().map(PyReadonlyArray1::as_array).collect();
     let given: Vec<Given<'_>> = variants
         .open()

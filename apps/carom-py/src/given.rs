@@ -4,7 +4,7 @@ use crate::failure::{of_input, of_words};
 use crate::watch::pool;
 use carom::tasks;
 use carom_impact::Law;
-use carom_scene::{Problem, ProblemKind, Problems, Scene};
+use carom_scene::{Drawn, Problem, ProblemKind, Problems};
 use carom_words::Words;
 use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
@@ -14,7 +14,7 @@ use rayon::prelude::*;
 const MOST_TOLD: usize = 10;
 
 /// The number of the plate that is looked at: by its name or its number, the last one where none is given.
-pub(crate) fn plate(py: Python<'_>, scene: &Scene, given: Option<&str>) -> PyResult<usize> {
+pub(crate) fn plate(py: Python<'_>, scene: &impl Drawn, given: Option<&str>) -> PyResult<usize> {
     tasks::plate(scene, given).map_err(|message| of_words(py, &format!("plate: {message}")))
 }
 

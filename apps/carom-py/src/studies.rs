@@ -1,8 +1,8 @@
 //! Studies over ranges: maps, regions, feeds and fits, as the command writes them.
 
-use crate::answers::{Answer, named, pretty, refused, spent, toml};
+use crate::answers::{Answer, Tabled, named, pretty, refused, spent, toml};
 use crate::failure::of_words;
-use crate::scene::Scene;
+use crate::scene::{Scene, each};
 use crate::watch::long;
 use carom::tasks::StudyError;
 use carom::tasks::axes::Asker;
@@ -10,13 +10,11 @@ use carom::tasks::feeds::{FeedAsked, FeedStudy};
 use carom::tasks::fits::{FitAsked, FitStudy};
 use carom::tasks::map::{MapAsked, MapStudy};
 use carom::tasks::regions::{RegionsAsked, RegionsOf, RegionsStudy, RegionsSubject};
+use carom_scene::Drawn;
 use carom_scene::columns::ColumnsError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::time::Instant;
-
-/// An answer as JSON, the texts that come with it, and the tables as Parquet, by their names.
-type Tabled = (String, BTreeMap<String, String>, BTreeMap<String, Vec<u8>>);
 
 /// A table by its name. It cannot fail in this build: it has Parquet.
 fn tables(name: &str, table: Result<Vec<u8>, ColumnsError>) -> BTreeMap<String, Vec<u8>> {
@@ -56,10 +54,19 @@ pub(crate) fn map(
     asks: Map,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Tabled> {
-    let Map { x, y, plate, accuracy, depth, cells } = &asks;
+    each!(scene, scene => mapped(py, scene, &asks, progress))
+}
+
+fn mapped<S: Drawn>(
+    py: Python<'_>,
+    scene: &S,
+    asks: &Map,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Tabled> {
+    let Map { x, y, plate, accuracy, depth, cells } = asks;
     let over = MapAsked::over([x, y], Asker::Call);
     let map = MapAsked { plate: plate.as_deref(), accuracy: *accuracy, depth: *depth, cells: *cells, ..over };
-    let (scene, plate, plane) = map.read(&scene.inner).map_err(|error| refused(py, &error))?;
+    let (scene, plate, plane) = map.read(scene).map_err(|error| refused(py, &error))?;
     let (study, threads, begun) =
         asked(py, progress, |step| MapStudy::drawn(&scene, plate, plane, &map, step))?;
     let json = pretty(&study.summary(spent(study.map.map.drops, begun, threads)))?;
@@ -122,7 +129,7 @@ pub(crate) fn feed(
     accuracy: f64,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Answer> {
-    let scene = &scene.inner;
+    let scene = scene.planar(py, "feed()")?;
     let feed = FeedAsked { parts, intervals, accuracy, asker: Asker::Call };
     let (study, threads, begun) = asked(py, progress, |step| FeedStudy::searched(scene, &feed, step))?;
     let mut files = named(study.scenes().map_err(|error| refused(py, &error))?);
@@ -153,7 +160,7 @@ pub(crate) fn fit(
     asks: Fit,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Answer> {
-    let scene = &scene.inner;
+    let scene = scene.planar(py, "fit()")?;
     let given = FitAsked {
         over: &asks.over,
         level: asks.level,

@@ -1,10 +1,10 @@
 //! Any number of designs into a folder, as `carom sweep` writes them.
 
 use crate::answers::{pretty, refused};
-use crate::scene::Scene;
+use crate::scene::{Scene, each};
 use crate::watch::long;
 use carom::tasks::axes::Asker;
-use carom_scene::StudyRunReport;
+use carom_scene::{Drawn, StudyRunReport};
 use carom_sweep::{DesignsAsked, Sizes, Sweep, SweepAsked};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -41,17 +41,28 @@ pub(crate) fn sweep(
         plate: asks.plate.as_deref(),
         shard: &asks.shard,
         force: asks.force,
-        sizes: Sizes::default(),
+        sizes: if scene.is_solid() { Sizes::IN_SPACE } else { Sizes::default() },
         asker: Asker::Call,
     };
+    each!(scene, scene => swept(py, scene, folder, &asked, asks.before, progress))
+}
+
+fn swept<S: Drawn>(
+    py: Python<'_>,
+    scene: &S,
+    folder: PathBuf,
+    asked: &SweepAsked<'_>,
+    before: Option<(usize, f64, usize)>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(String, Vec<String>)> {
     let damaged = Mutex::new(vec![]);
     let tell = |line: &str| damaged.lock().unwrap_or_else(PoisonError::into_inner).push(line.to_owned());
-    let open = || Sweep::open(&scene.inner, &asked, folder, tell);
+    let open = || Sweep::open(scene, asked, folder, tell);
     let sweep = py.detach(open).map_err(|error| refused(py, &error))?;
     let designs = sweep.designs();
     let swept = long(py, Some(designs), progress, |watch| sweep.follow(|designs| watch.steps(designs)))?;
     let mut report = swept.map_err(|error| refused(py, &error))?.report;
-    if let Some((drops, seconds, threads)) = asks.before {
+    if let Some((drops, seconds, threads)) = before {
         report.run = StudyRunReport { drops: drops + report.run.drops, seconds, threads };
     }
     let json = pretty(&report)?;

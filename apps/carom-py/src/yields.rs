@@ -2,11 +2,11 @@
 
 use crate::answers::{Answer, named, pretty, spent};
 use crate::failure::{of_fault, of_input, of_words};
-use crate::scene::Scene;
+use crate::scene::{Scene, each};
 use crate::watch::long;
 use carom::study::yields::{Contrasts, Plan, Points, Portion};
 use carom::tasks::yields::{LocatedYield, YieldStudy};
-use carom_scene::{StudyRunReport, Varied};
+use carom_scene::{Drawn, StudyRunReport, Varied};
 use pyo3::prelude::*;
 use std::path::Path;
 use std::time::Instant;
@@ -22,20 +22,24 @@ pub(crate) struct Asks {
 }
 
 /// What varies, and how it is sampled.
-fn planned<'s>(py: Python<'_>, scene: &'s Scene, asks: &Asks) -> PyResult<(Varied<'s>, Plan)> {
-    let plate = crate::given::plate(py, &scene.inner, asks.plate.as_deref())?;
-    let varied = scene.inner.varied().map_err(|problems| of_input(py, &problems))?;
+fn planned<'s, S: Drawn>(py: Python<'_>, scene: &'s S, asks: &Asks) -> PyResult<(Varied<'s, S>, Plan)> {
+    let plate = crate::given::plate(py, scene, asks.plate.as_deref())?;
+    let varied = varied(py, scene)?;
     let points = if asks.plain { Points::Random } else { Points::Sobol };
     let plan = YieldStudy::plan(&varied, asks.samples, asks.seed, points, plate);
     Ok((varied, plan))
 }
 
-/// A study that has no answer.
-fn refused<'a>(py: Python<'a>, scene: &'a Scene) -> impl Fn(&dyn std::fmt::Display) -> PyErr + use<'a> {
-    move |why| of_words(py, &format!("{}: {why}", scene.inner.name()))
+fn varied<'s, S: Drawn>(py: Python<'_>, scene: &'s S) -> PyResult<Varied<'s, S>> {
+    Varied::over(scene, 1.0).map_err(|problems| of_input(py, &problems))
 }
 
-fn told(study: &YieldStudy<'_>, spent: StudyRunReport) -> PyResult<Answer> {
+/// A study that has no answer.
+fn refused(py: Python<'_>, scene: &impl Drawn, why: &dyn std::fmt::Display) -> PyErr {
+    of_words(py, &format!("{}: {why}", scene.name()))
+}
+
+fn told(study: &YieldStudy<'_, impl Drawn>, spent: StudyRunReport) -> PyResult<Answer> {
     let mut files = named(study.worst_scenes());
     files.insert("yield.html".to_owned(), study.page(Path::new("")));
     Ok((pretty(&study.summary(spent))?, files))
@@ -50,7 +54,16 @@ pub(crate) fn yields(
     asks: Asks,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Answer> {
-    let (varied, plan) = planned(py, scene, &asks)?;
+    each!(scene, scene => sampled(py, scene, &asks, progress))
+}
+
+fn sampled<S: Drawn>(
+    py: Python<'_>,
+    scene: &S,
+    asks: &Asks,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let (varied, plan) = planned(py, scene, asks)?;
     let begun = Instant::now();
     let drops = usize::try_from(plan.drops()).ok();
     let (study, threads) = long(py, drops, progress, |watch| {
@@ -60,7 +73,7 @@ pub(crate) fn yields(
         });
         (study, carom_study::threads())
     })?;
-    let study = study.map_err(|error| refused(py, scene)(&error))?;
+    let study = study.map_err(|error| refused(py, scene, &error))?;
     told(&study, spent(study.drops, begun, threads))
 }
 
@@ -73,12 +86,21 @@ pub(crate) fn located(
     asks: Asks,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Answer> {
-    let (varied, plan) = planned(py, scene, &asks)?;
+    each!(scene, scene => along_lines(py, scene, &asks, progress))
+}
+
+fn along_lines<S: Drawn>(
+    py: Python<'_>,
+    scene: &S,
+    asks: &Asks,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let (varied, plan) = planned(py, scene, asks)?;
     let begun = Instant::now();
     let (found, threads) = long(py, None, progress, |watch| {
         (LocatedYield::of(&varied, plan, || watch.step()), carom_study::threads())
     })?;
-    let found = found.map_err(|error| refused(py, scene)(&error))?;
+    let found = found.map_err(|error| refused(py, scene, &error))?;
     let json = pretty(&found.summary(spent(found.drops, begun, threads)))?;
     Ok((json, std::collections::BTreeMap::new()))
 }
@@ -92,7 +114,17 @@ pub(crate) fn yield_portion(
     deciding: bool,
     portion: (u32, u32),
 ) -> PyResult<Vec<u8>> {
-    let (varied, plan) = planned(py, scene, &asks)?;
+    each!(scene, scene => counted(py, scene, &asks, deciding, portion))
+}
+
+fn counted<S: Drawn>(
+    py: Python<'_>,
+    scene: &S,
+    asks: &Asks,
+    deciding: bool,
+    portion: (u32, u32),
+) -> PyResult<Vec<u8>> {
+    let (varied, plan) = planned(py, scene, asks)?;
     let words = long(py, None, None, |watch| {
         let step = || watch.step();
         if deciding {
@@ -103,7 +135,7 @@ pub(crate) fn yield_portion(
             portion.map(|portion| portion.to_words()).map_err(|why| why.to_string())
         }
     })?;
-    let words = words.map_err(|why| refused(py, scene)(&why))?;
+    let words = words.map_err(|why| refused(py, scene, &why))?;
     Ok(words.into_iter().flat_map(u64::to_le_bytes).collect())
 }
 
@@ -122,8 +154,17 @@ pub(crate) fn yield_joined(
     deciding: Option<Vec<Vec<u8>>>,
     took: (f64, usize),
 ) -> PyResult<Option<Answer>> {
-    let (seconds, threads) = took;
-    let varied = scene.inner.varied().map_err(|problems| of_input(py, &problems))?;
+    each!(scene, scene => joined(py, scene, &counted, deciding.as_deref(), took))
+}
+
+fn joined<S: Drawn>(
+    py: Python<'_>,
+    scene: &S,
+    counted: &[Vec<u8>],
+    deciding: Option<&[Vec<u8>]>,
+    (seconds, threads): (f64, usize),
+) -> PyResult<Option<Answer>> {
+    let varied = varied(py, scene)?;
     let portions = counted.iter().map(|bytes| Portion::of_words(&words(bytes)));
     let portions = portions.collect::<Result<Vec<_>, _>>().map_err(of_fault)?;
     let mut study = py.detach(|| YieldStudy::of(&varied, portions)).map_err(of_fault)?;

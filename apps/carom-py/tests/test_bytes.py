@@ -14,9 +14,7 @@ import pytest
 from carom import Answer
 
 ALL = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
-# Solid parts are followed by the command alone.
-SOLIDS = [path for path in ALL if path.stem.startswith("solid")]
-EXAMPLES = [path for path in ALL if path not in SOLIDS]
+SOLID = "examples/solid.toml"
 
 
 def verb(path: Path) -> list[str]:
@@ -42,7 +40,7 @@ def asked(words: list[str], file: str) -> carom.Answer:
             return carom.run(file)
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_every_example(path: Path, command: Path, tmp_path: Path) -> None:
     words, file = verb(path), f"examples/{path.name}"
     said = subprocess.run([command, *words, file, "--format", "json", "--out", tmp_path], capture_output=True, check=False)
@@ -54,12 +52,34 @@ def test_every_example(path: Path, command: Path, tmp_path: Path) -> None:
         # Where the files of the command stand is told on some pages.
         if name.endswith((".csv", ".svg")):
             assert next(tmp_path.rglob(name)).read_bytes() == text.encode(), name
+    for name, content in answer.tables.items():
+        assert next(tmp_path.rglob(name)).read_bytes() == content, name
 
 
-@pytest.mark.parametrize("path", SOLIDS, ids=lambda path: path.stem)
-def test_a_solid_part_is_refused_by_name(path: Path) -> None:
-    with pytest.raises(carom.CaromError, match="is a solid"):
-        carom.run(path)
+def test_a_solid_part_is_refused_by_name_where_it_is_not_followed() -> None:
+    scene = carom.Scene.read(SOLID)
+    assert scene.is_solid and scene.set({"start.turn": "3 deg"})["start.turn"].value == pytest.approx(np.deg2rad(3))
+    for asked in (lambda: carom.feed(scene), lambda: carom.fit(scene, {"outcome": ["turned"]}), scene.simulators):
+        with pytest.raises(carom.CaromError, match="is a solid"):
+            asked()
+
+
+def test_studies_of_a_solid_part(command: Path, tmp_path: Path) -> None:
+    words = ["yield", SOLID, "--samples", "16", "--format", "json", "--out", str(tmp_path)]
+    said = json.loads(subprocess.run([command, *words], capture_output=True, check=True).stdout)
+    own = carom.yield_(SOLID, samples=16).to_dict()
+    del said["run"], own["run"]
+    assert own == said
+    axes = {"x": "start.turn=1deg..20deg", "y": "contact.friction=0.05..0.2"}
+    words = ["map", SOLID, "--x", axes["x"], "--y", axes["y"], "--depth", "0", "--format", "json", "--out", str(tmp_path)]
+    said = json.loads(subprocess.run([command, *words], capture_output=True, check=True).stdout)
+    own = carom.map(SOLID, x=axes["x"], y=axes["y"], depth=0).to_dict()
+    del said["run"], own["run"]
+    assert own == said
+    turns = np.deg2rad([1.0, 5.0, 20.0])
+    runs = [carom.run(SOLID, set={"start.turn": turn}) for turn in turns]
+    found = carom.drops(SOLID, {"start.turn": turns})
+    assert found["ending"].tolist() == [run.plates[-1].verdict if run.outcome == "landed" else run.outcome for run in runs]
 
 
 def as_plain(value: Any) -> Any:

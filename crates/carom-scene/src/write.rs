@@ -1,8 +1,10 @@
 //! Writing one value into the text of a scene, as a person types it.
 
+use crate::drawn::Drawn;
 use crate::editing::{after, as_toml};
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::scene::{NamedQuantity, Scene};
+use crate::space::SpaceScene;
 use crate::visit::unknown;
 use std::ops::Range;
 
@@ -45,64 +47,85 @@ impl Scene {
     /// # Ok::<(), carom_scene::Problems>(())
     /// ```
     pub fn text_writing_all(&self, values: &[(&str, &str)]) -> Result<String, Problems> {
-        let all = self.quantities();
-        let paths: Vec<&str> = all.iter().map(|quantity| quantity.path.as_str()).collect();
-        let (mut problems, mut edits): (Vec<Problem>, Vec<(Range<usize>, String)>) = (vec![], vec![]);
-        for (k, (path, value)) in values.iter().enumerate() {
-            let Some(quantity) = all.iter().find(|quantity| quantity.path == *path) else {
-                problems.push(unknown(path, &paths));
-                continue;
-            };
-            if values[..k].iter().any(|(other, _)| other == path) {
-                problems.push(Problem::new(ProblemKind::Conflict, *path, "is named twice", None));
-            }
-            let value = as_toml(value);
-            edits.push(match &quantity.span {
-                Some(span) => (span.clone(), value),
-                None => {
-                    let (at, line) = self.place_of(quantity, &all, &value);
-                    (at..at, line)
-                }
-            });
-        }
-        if !problems.is_empty() {
-            return Err(Problems::new(self.file(), self.source(), problems));
-        }
-        // From the end to the beginning, so that places before stay where they are; what comes to one place comes in its order.
-        edits.reverse();
-        edits.sort_by_key(|(place, _)| std::cmp::Reverse(place.start));
-        let mut text = self.source().to_owned();
-        for (place, new) in edits {
-            // A table that was begun for another value is not begun again.
-            let begun = new.strip_prefix('\n').and_then(|new| new.split_once('\n'));
-            match begun.filter(|(head, _)| head.starts_with('[') && text[place.start..].contains(*head)) {
-                Some((head, line)) => {
-                    let at = place.start + text[place.start..].find(head).unwrap_or(0) + head.len() + 1;
-                    text.insert_str(at, line);
-                }
-                None => text.replace_range(place, &new),
-            }
-        }
-        Ok(text)
+        written_all(self, values)
     }
+}
 
-    /// Where a quantity that is not written comes, and the text that is put there.
-    fn place_of(&self, quantity: &NamedQuantity, all: &[NamedQuantity], value: &str) -> (usize, String) {
-        let (table, key) = quantity.path.rsplit_once('.').unwrap_or(("", &quantity.path));
-        let beside =
-            |other: &&NamedQuantity| other.path.rsplit_once('.').map(|(table, _)| table) == Some(table);
-        let last =
-            all.iter().filter(beside).filter_map(|other| other.span.clone()).max_by_key(|span| span.end);
-        let text = self.source();
-        let Some(last) = last else {
-            // Of the root's own tables come later; another table is begun at the end.
-            return match table {
-                "" => (0, format!("{key} = {value}\n")),
-                _ => (text.len(), format!("\n[{table}]\n{key} = {value}\n")),
-            };
-        };
-        after(text, last.end, key, value)
+impl SpaceScene {
+    /// As [`Scene::text_writing_all`].
+    ///
+    /// # Errors
+    /// As there.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::SpaceScene;
+    /// let text = std::fs::read_to_string("../../examples/solid.toml")?;
+    /// let scene = SpaceScene::parse("solid.toml", &text)?;
+    /// let text = scene.text_writing_all(&[("start.aside", "2 mm"), ("contact.restitution", "0.2")])?;
+    /// assert_eq!(SpaceScene::parse("aside.toml", &text)?.feeder().start.aside, 2e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn text_writing_all(&self, values: &[(&str, &str)]) -> Result<String, Problems> {
+        written_all(self, values)
     }
+}
+
+fn written_all(scene: &impl Drawn, values: &[(&str, &str)]) -> Result<String, Problems> {
+    let all = scene.quantities();
+    let paths: Vec<&str> = all.iter().map(|quantity| quantity.path.as_str()).collect();
+    let (mut problems, mut edits): (Vec<Problem>, Vec<(Range<usize>, String)>) = (vec![], vec![]);
+    for (k, (path, value)) in values.iter().enumerate() {
+        let Some(quantity) = all.iter().find(|quantity| quantity.path == *path) else {
+            problems.push(unknown(path, &paths));
+            continue;
+        };
+        if values[..k].iter().any(|(other, _)| other == path) {
+            problems.push(Problem::new(ProblemKind::Conflict, *path, "is named twice", None));
+        }
+        let value = as_toml(value);
+        edits.push(match &quantity.span {
+            Some(span) => (span.clone(), value),
+            None => {
+                let (at, line) = place_of(scene.source(), quantity, &all, &value);
+                (at..at, line)
+            }
+        });
+    }
+    if !problems.is_empty() {
+        return Err(Problems::new(scene.file(), scene.source(), problems));
+    }
+    // From the end to the beginning, so that places before stay where they are; what comes to one place comes in its order.
+    edits.reverse();
+    edits.sort_by_key(|(place, _)| std::cmp::Reverse(place.start));
+    let mut text = scene.source().to_owned();
+    for (place, new) in edits {
+        // A table that was begun for another value is not begun again.
+        let begun = new.strip_prefix('\n').and_then(|new| new.split_once('\n'));
+        match begun.filter(|(head, _)| head.starts_with('[') && text[place.start..].contains(*head)) {
+            Some((head, line)) => {
+                let at = place.start + text[place.start..].find(head).unwrap_or(0) + head.len() + 1;
+                text.insert_str(at, line);
+            }
+            None => text.replace_range(place, &new),
+        }
+    }
+    Ok(text)
+}
+
+/// Where a quantity that is not written comes, and the text that is put there.
+fn place_of(text: &str, quantity: &NamedQuantity, all: &[NamedQuantity], value: &str) -> (usize, String) {
+    let (table, key) = quantity.path.rsplit_once('.').unwrap_or(("", &quantity.path));
+    let beside = |other: &&NamedQuantity| other.path.rsplit_once('.').map(|(table, _)| table) == Some(table);
+    let last = all.iter().filter(beside).filter_map(|other| other.span.clone()).max_by_key(|span| span.end);
+    let Some(last) = last else {
+        // Of the root's own tables come later; another table is begun at the end.
+        return match table {
+            "" => (0, format!("{key} = {value}\n")),
+            _ => (text.len(), format!("\n[{table}]\n{key} = {value}\n")),
+        };
+    };
+    after(text, last.end, key, value)
 }
 
 #[cfg(test)]

@@ -33,6 +33,7 @@ from carom.answers.map import Map
 from carom.answers.regions import Regions
 from carom.answers.roll import PlanarRoll, SpatialRoll
 from carom.answers.run import Run
+from carom.answers.space_run import SolidRun
 from carom.answers.sweep import Sweep
 from carom.answers.yield_ import Yield
 from carom.errors import CaromError, Problem
@@ -56,6 +57,7 @@ __all__ = [
     "Regions",
     "Run",
     "Scene",
+    "SolidRun",
     "SpatialImpact",
     "SpatialRoll",
     "Sweep",

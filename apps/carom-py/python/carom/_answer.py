@@ -29,7 +29,7 @@ class Answer:
 
     @property
     def tables(self) -> dict[str, bytes]:
-        """The tables that the command writes as Parquet, by the names of their files."""
+        """What the command writes that is no text, by the names of its files: tables as Parquet, the motion of a solid part as glTF."""
         tables: dict[str, bytes] = self.__dict__["_tables"]
         return tables
 

@@ -1,4 +1,4 @@
-"""Scenes: a part, plates and walls, and where the part starts."""
+"""Scenes: a part in the plane or a solid, plates and walls, and where the part starts."""
 
 from __future__ import annotations
 
@@ -94,6 +94,11 @@ class Scene:
     def text(self) -> str:
         """Its text, TOML."""
         return self._inner.text
+
+    @property
+    def is_solid(self) -> bool:
+        """True where its part is a solid, which moves in space. :func:`carom.feed`, :func:`carom.fit`, :meth:`simulators` and :attr:`layout` are for parts in the plane."""
+        return self._inner.is_solid
 
     @property
     def plates(self) -> list[str]:

@@ -88,10 +88,18 @@ impl AnyScene {
     /// # Errors
     /// As [`Scene::parse`].
     pub fn parse(file: &str, source: &str) -> Result<Self, Problems> {
+        Self::parse_with(file, source, &Disk)
+    }
+
+    /// As [`AnyScene::parse`], with the files that the scene names from elsewhere than the disk.
+    ///
+    /// # Errors
+    /// As [`Scene::parse`].
+    pub fn parse_with(file: &str, source: &str, files: &dyn Files) -> Result<Self, Problems> {
         if SpaceScene::is_one(source) {
-            SpaceScene::parse(file, source).map(|scene| Self::Space(Box::new(scene)))
+            SpaceScene::parse_with(file, source, files).map(|scene| Self::Space(Box::new(scene)))
         } else {
-            Scene::parse(file, source).map(|scene| Self::Plane(Box::new(scene)))
+            Scene::parse_with(file, source, files).map(|scene| Self::Plane(Box::new(scene)))
         }
     }
 

@@ -10,6 +10,7 @@ from carom.answers.shared import (
     Approximation,
     Exit,
     Probability,
+    SpaceExit,
     StudyRun,
 )
 
@@ -76,22 +77,6 @@ class Forbidden:
     """The limit, SI; null where the demand has no measure."""
     nearest: float | None = None
     """The nearest to the limit of these, SI; null where there is none, or the demand has no measure."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class SpaceExit:
-    """How the part left the last plate."""
-
-    attitude: list[float]
-    """The rotation of the part's axes into the world's, as a unit quaternion: w, x, y, z."""
-    position_m: list[float]
-    """Mass centre, world axes [m]."""
-    spin_rad_s: list[float]
-    """Angular velocity, in the part's axes [rad/s]."""
-    t_s: float
-    """When [s]."""
-    velocity_m_s: list[float]
-    """Velocity of the mass centre, world axes [m/s]."""
 
 
 DesignExit = Exit | SpaceExit

@@ -8,13 +8,16 @@ from typing import Literal
 from carom._answer import Answer
 from carom.answers.shared import (
     Accumulation,
+    AmountUnit,
     Approximation,
     Exit,
+    Jam,
+    Limit,
+    Plate,
+    StageEnd,
+    Wanted,
+    Work,
 )
-
-
-AmountUnit = Literal["m", "m/s", "N", "1/kg", "J", "1"]
-"""The unit of an amount, SI."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -163,44 +166,6 @@ class Impact:
     """Type 1 to 7, where one contact acts."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class Jam:
-    """Between what a part jammed."""
-
-    contacts: list[Touch]
-    """The contacts that hold it, or that no impact resolves."""
-    kind: JamReportKind
-    """Which of the two it is."""
-
-
-JamReportKind = Literal["wedged", "unresolved"]
-"""Which of the two keeps a jammed part."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Limit:
-    """How far one quantity may move alone before the verdict flips, SI."""
-
-    high: float | None = None
-    """Highest value with the same verdict; null where the verdict does not flip above."""
-    high_end: LimitEnd
-    """What ended the search upwards."""
-    high_kept: float
-    """The highest value that was found to keep the verdict."""
-    low: float | None = None
-    """Lowest value with the same verdict; null where the verdict does not flip below."""
-    low_end: LimitEnd
-    """What ended the search downwards."""
-    low_kept: float
-    """The lowest value that was found to keep the verdict."""
-    quantity: str
-    """Its path."""
-
-
-LimitEnd = Literal["flips", "no_such_feeder", "end_of_search"]
-"""What ended the search for a limit."""
-
-
 NoteKind = Literal["without_approach", "ways_on", "open_share", "lifts_off", "gained_energy", "restitution_scaled"]
 """A kind of note on an impact."""
 
@@ -215,54 +180,6 @@ class Note:
     """What it is."""
     unit: AmountUnit | None = None
     """The unit of the amount; null without one."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Plate:
-    """A landing."""
-
-    face: int | None = None
-    """The face that is down; null for a disc."""
-    first_touch_s: float
-    """First touch of this plate [s]."""
-    flat_s: float | None = None
-    """Flat on it [s]; null for a disc."""
-    impact_speed_m_s: float
-    """Largest approach speed of its impacts [m/s]."""
-    max_sliding_speed_m_s: float
-    """Largest slip on it [m/s]."""
-    plate: str
-    """Name of the plate; its number, counted from 0, where it has none."""
-    turned_here: bool | None = None
-    """Against the plate before; null for a disc."""
-    verdict: Verdict | None = None
-    """Against the start; null for a disc."""
-
-
-Side = Literal["same", "turned"]
-"""Which side of a part is down."""
-
-
-StageEndKind = Literal["touches", "lies_down", "centre_at_edge", "lifts_off", "slip_stops", "friction_gives_way", "runs_off", "painleve", "rests", "flies_away", "swings", "other_part", "time_up", "strikes", "strikes_to_limit"]
-"""What ended a stage."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class StageEnd:
-    """Why a stage ended."""
-
-    amount: float | None = None
-    """What it came to; null where nothing was watched."""
-    contact: Touch | None = None
-    """Where; null where it is no single contact."""
-    kind: StageEndKind
-    """What happened."""
-    plates: list[str]
-    """The plates and walls struck by the strikes that are told together; empty for every other kind."""
-    quantity: WatchedQuantity | None = None
-    """What was watched; null where nothing was."""
-    unit: AmountUnit | None = None
-    """The unit of the amount; null where nothing was watched."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -308,16 +225,6 @@ class State:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Touch:
-    """A feature of the part on a plate or wall."""
-
-    feature: str
-    """The part's feature: front, rear, front top, corner 2, face 0 or rim."""
-    plate: str
-    """Name of the plate or wall; its number, counted from 0, where it has none."""
-
-
-@dataclass(frozen=True, kw_only=True)
 class Twist:
     """Velocity of a body."""
 
@@ -327,38 +234,6 @@ class Twist:
     """Velocity of the mass centre [m/s]."""
     vy_m_s: float
     """Velocity of the mass centre [m/s]."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Wanted:
-    """What is wanted on a plate, and whether a run has it."""
-
-    met: bool
-    """True where the part's first lying flat on the plate is as wanted; false too where it never lay flat on it."""
-    plate: str
-    """Name of the plate."""
-    want: str
-    """same, turned or face and its number."""
-
-
-WatchedQuantity = Literal["gap", "angle", "normal_force", "slip", "friction_left", "extent", "response", "strikes"]
-"""What was watched when a stage ended."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Work:
-    """Counts of the work done."""
-
-    events: int
-    """Events."""
-    impacts: int
-    """Impacts."""
-    rhs_evaluations: int
-    """Evaluations of a mode's forces and accelerations."""
-
-
-Verdict = Side | int
-"""`same` or `turned`, or the number of the face that is down."""
 
 
 @dataclass(frozen=True, kw_only=True)

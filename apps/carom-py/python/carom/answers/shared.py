@@ -17,6 +17,10 @@ class Accumulation:
     """Their limit [s]."""
 
 
+AmountUnit = Literal["m", "m/s", "N", "1/kg", "J", "1"]
+"""The unit of an amount, SI."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Approximation:
     """One way in which the computed part differs from the drawn one."""
@@ -165,6 +169,66 @@ class Inequality:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Jam:
+    """Between what a part jammed."""
+
+    contacts: list[Touch]
+    """The contacts that hold it, or that no impact resolves."""
+    kind: JamReportKind
+    """Which of the two it is."""
+
+
+JamReportKind = Literal["wedged", "unresolved"]
+"""Which of the two keeps a jammed part."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Limit:
+    """How far one quantity may move alone before the verdict flips, SI."""
+
+    high: float | None = None
+    """Highest value with the same verdict; null where the verdict does not flip above."""
+    high_end: LimitEnd
+    """What ended the search upwards."""
+    high_kept: float
+    """The highest value that was found to keep the verdict."""
+    low: float | None = None
+    """Lowest value with the same verdict; null where the verdict does not flip below."""
+    low_end: LimitEnd
+    """What ended the search downwards."""
+    low_kept: float
+    """The lowest value that was found to keep the verdict."""
+    quantity: str
+    """Its path."""
+
+
+LimitEnd = Literal["flips", "no_such_feeder", "end_of_search"]
+"""What ended the search for a limit."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plate:
+    """A landing."""
+
+    face: int | None = None
+    """The face that is down; null for a disc."""
+    first_touch_s: float
+    """First touch of this plate [s]."""
+    flat_s: float | None = None
+    """Flat on it [s]; null for a disc."""
+    impact_speed_m_s: float
+    """Largest approach speed of its impacts [m/s]."""
+    max_sliding_speed_m_s: float
+    """Largest slip on it [m/s]."""
+    plate: str
+    """Name of the plate; its number, counted from 0, where it has none."""
+    turned_here: bool | None = None
+    """Against the plate before; null for a disc."""
+    verdict: Verdict | None = None
+    """Against the start; null for a disc."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Probability:
     """A probability with its 95 % interval."""
 
@@ -248,6 +312,26 @@ class Rejected:
     """The same as data, in the order of the contacts: while the impulse grows, or from now on under forces."""
 
 
+Side = Literal["same", "turned"]
+"""Which side of a part is down."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpaceExit:
+    """How the part left the last plate."""
+
+    attitude: list[float]
+    """The rotation of the part's axes into the world's, as a unit quaternion: w, x, y, z."""
+    position_m: list[float]
+    """Mass centre, world axes [m]."""
+    spin_rad_s: list[float]
+    """Angular velocity, in the part's axes [rad/s]."""
+    t_s: float
+    """When [s]."""
+    velocity_m_s: list[float]
+    """Velocity of the mass centre, world axes [m/s]."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Spread:
     """What a measure spreads over."""
@@ -278,6 +362,28 @@ class Spread:
     """One in a hundred is above."""
 
 
+StageEndKind = Literal["touches", "lies_down", "centre_at_edge", "lifts_off", "slip_stops", "friction_gives_way", "runs_off", "painleve", "rests", "flies_away", "swings", "other_part", "time_up", "strikes", "strikes_to_limit"]
+"""What ended a stage."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class StageEnd:
+    """Why a stage ended."""
+
+    amount: float | None = None
+    """What it came to; null where nothing was watched."""
+    contact: Touch | None = None
+    """Where; null where it is no single contact."""
+    kind: StageEndKind
+    """What happened."""
+    plates: list[str]
+    """The plates and walls struck by the strikes that are told together; empty for every other kind."""
+    quantity: WatchedQuantity | None = None
+    """What was watched; null where nothing was."""
+    unit: AmountUnit | None = None
+    """The unit of the amount; null where nothing was watched."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class StudyRun:
     """What a study took: kept apart from what it found, which is the same on every machine."""
@@ -290,5 +396,47 @@ class StudyRun:
     """Threads that worked on it."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Touch:
+    """A feature of the part on a plate or wall."""
+
+    feature: str
+    """The part's feature: front, rear, front top, corner 2, face 0 or rim."""
+    plate: str
+    """Name of the plate or wall; its number, counted from 0, where it has none."""
+
+
 Uniqueness = Literal["examined", "not_examined"]
 """Whether every end state was examined."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wanted:
+    """What is wanted on a plate, and whether a run has it."""
+
+    met: bool
+    """True where the part's first lying flat on the plate is as wanted; false too where it never lay flat on it."""
+    plate: str
+    """Name of the plate."""
+    want: str
+    """same, turned or face and its number."""
+
+
+WatchedQuantity = Literal["gap", "angle", "normal_force", "slip", "friction_left", "extent", "response", "strikes"]
+"""What was watched when a stage ended."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Work:
+    """Counts of the work done."""
+
+    events: int
+    """Events."""
+    impacts: int
+    """Impacts."""
+    rhs_evaluations: int
+    """Evaluations of a mode's forces and accelerations."""
+
+
+Verdict = Side | int
+"""`same` or `turned`, or the number of the face that is down."""
