@@ -7,6 +7,7 @@ use carom_feeder::spatial::{self, Exit, Wall, WallForm, examples};
 use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
 };
+use carom_motion::planar::Shape;
 use carom_motion::spatial::Polyhedron;
 use carom_num::elementary::{atan2, sin_cos, tan};
 use carom_num::{Rotation, Vec2, Vec3};
@@ -17,6 +18,7 @@ use rayon::prelude::*;
 const SCENES: u64 = 1000;
 const IN_A_GROOVE: u64 = 100;
 const TRIPPING: u64 = 200;
+const ROUNDED: u64 = 300;
 const ANYHOW: u64 = 200;
 /// Looks at the motion of one drop, in search of its events.
 const MOST_LOOKS: u64 = 1_000_000;
@@ -33,6 +35,8 @@ struct Scene {
     restitution: f64,
     speed: f64,
     lower: Vec2,
+    /// Of the box's edges; its faces stay where they are.
+    radius: f64,
 }
 
 impl Scene {
@@ -44,7 +48,7 @@ impl Scene {
         let friction = rng.random_range(0.05..0.6 * tan(slopes[0]));
         let restitution = if case.is_multiple_of(2) { 0.0 } else { rng.random_range(0.0..0.4) };
         let lower = Vec2::new(rng.random_range(-0.2..-0.1), -rng.random_range(0.1..0.2));
-        Self { edges, slopes, friction, restitution, speed: 0.0, lower }
+        Self { edges, slopes, friction, restitution, speed: 0.0, lower, radius: 0.0 }
     }
 
     /// Uphill ends and free edges.
@@ -66,7 +70,10 @@ impl Scene {
         };
         let [length, height, _] = self.edges;
         let inertia = 0.05 * (length * length + height * height) / 12.0;
-        let part = Part::rectangle(length, height, 0.05, inertia).unwrap();
+        let mut part = Part::rectangle(length, height, 0.05, inertia).unwrap();
+        let [a, b] = [length, height].map(|edge| 0.5 * edge - self.radius);
+        let corners = [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| Vec2::new(x, y));
+        part.body.shape = Shape::new(corners.to_vec(), self.radius).unwrap();
         Feeder {
             gravity: 9.81,
             stop: Stop::Landed,
@@ -82,7 +89,22 @@ impl Scene {
     fn in_space(&self, walls: Vec<Wall>) -> spatial::Feeder {
         let [x, y, z] = self.edges;
         let part = examples::block(Vec3::new(x, y, z), 0.05);
+        let part = if self.radius > 0.0 { self.rounded(&part) } else { part };
         spatial::Feeder { walls, ..in_space(&self.in_the_plane(), part) }
+    }
+}
+
+impl Scene {
+    /// The same box with round edges, with the same mass and inertia.
+    fn rounded(&self, part: &spatial::Part) -> spatial::Part {
+        let inwards = |r: &Vec3| {
+            let [x, y, z] = r.to_array().map(|x| x - self.radius.copysign(x));
+            Vec3::new(x, y, z)
+        };
+        let corners: Vec<Vec3> = part.body.supports().iter().map(inwards).collect();
+        let inner = Polyhedron::of_points(&corners, 1e-9).unwrap();
+        let heft = (part.body.mass(), part.body.inertia());
+        spatial::Part::about((&inner, self.radius), Vec3::ZERO, heft).unwrap()
     }
 }
 
@@ -124,6 +146,18 @@ fn told(what: &str, mut found: Vec<(f64, bool)>) {
 fn boxes_go_through_feeders_as_in_the_plane() {
     let found = (0..SCENES).into_par_iter().map(|case| differ(case, &Scene::drawn(case), vec![]));
     told("1000 feeders", found.collect());
+}
+
+/// They roll over the ends of the plates, and over their own edges.
+#[test]
+fn rounded_boxes_go_through_feeders_as_in_the_plane() {
+    let one = |case: u64| {
+        let scene = Scene::drawn(case);
+        let thin = scene.edges.into_iter().fold(f64::INFINITY, f64::min);
+        let radius = thin * Pcg64::seed_from_u64(2000 + case).random_range(0.05..0.45);
+        differ(case, &Scene { radius, ..scene }, vec![])
+    };
+    told("300 rounded boxes", (0..ROUNDED).into_par_iter().map(one).collect());
 }
 
 /// With a friction of 1 to 6 a box that starts at a speed trips: over its front edge, by an impact without approach where no motion is consistent (Painlevé's paradox).
