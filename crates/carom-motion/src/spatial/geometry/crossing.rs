@@ -64,7 +64,10 @@ impl Crossing {
     }
 
     pub(super) fn meeting(&self, pose: Pose) -> Meeting {
-        let crossed = self.at(pose);
+        self.meeting_of(&self.at(pose), pose)
+    }
+
+    fn meeting_of(&self, crossed: &Crossed, pose: Pose) -> Meeting {
         if crossed.is_parallel() {
             let place = pose.centre + pose.attitude.apply(self.own.from);
             return Meeting { place, normal: Vec3::Z, gap: f64::INFINITY };
@@ -77,7 +80,8 @@ impl Crossing {
 
     pub(super) fn passing(&self, state: &State) -> Passing {
         let (pose, other) = (state.pose(), &self.other);
-        let (crossed, at) = (self.at(pose), self.meeting(pose));
+        let crossed = self.at(pose);
+        let at = self.meeting_of(&crossed, pose);
         let Meeting { place, normal, gap } = at;
         let spin = pose.attitude.apply(state.spin);
         let moves = |place: Vec3| state.velocity + spin.cross(place - pose.centre);

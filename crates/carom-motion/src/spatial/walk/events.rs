@@ -30,11 +30,11 @@ pub(super) struct Place<Y> {
 }
 
 impl<M: Motion> Gliding<'_, '_, M> {
-    pub(super) fn value_at(&self, event: &Event, y: &M::Y, at: &Posture) -> f64 {
+    pub(super) fn value_at(&self, event: &Event, y: &M::Y, at: &Posture, instant: &M::Instant) -> f64 {
         let value = match *event {
             Event::Touches(support) => return self.height(support, at).value,
             Event::Overturns => self.uprightness(at),
-            _ => self.motion.value(event, y, at),
+            _ => self.motion.value(event, y, at, instant),
         };
         evaluated(Quantity::Event, value)
     }
@@ -110,7 +110,6 @@ impl<M: Motion> Gliding<'_, '_, M> {
 
     /// The first event within a step.
     pub(super) fn event_in(&mut self, step: &Step<M::Y>) -> Option<Found<Event>> {
-        self.places.clear();
         let mut first = self.first_of_smooth(step);
         first = first.map(|found| placed(self, step, found.event, found.at));
         let behind = BESIDE * self.walker.scales.length;
@@ -140,7 +139,11 @@ impl<M: Motion> Gliding<'_, '_, M> {
             for event in self.smooth_events() {
                 let mut of = |x: f64| {
                     let Place { y, at, .. } = self.place(step, x);
-                    let value = self.value_at(&event, &y, &at);
+                    let known = self.instants.iter().find(|(known, _)| known.to_bits() == x.to_bits());
+                    let value = match known {
+                        Some((_, instant)) => self.value_at(&event, &y, &at, instant),
+                        None => self.value_at(&event, &y, &at, &self.motion.instant(&y)),
+                    };
                     without = if value.is_nan() { x.min(without) } else { without };
                     [value]
                 };
@@ -240,10 +243,12 @@ impl<M: Motion> Gliding<'_, '_, M> {
             return *known;
         }
         let y = step.at(x);
-        let at = self.motion.posture(&y, self.elapsed + x * step.length);
+        let instant = self.motion.instant(&y);
+        let at = self.motion.posture_at(&y, self.elapsed + x * step.length, &instant);
         let place = Place { x, y, at, moving: self.motion.moving(&at) };
         if self.places.len() < MOST_PLACES {
             self.places.push(place);
+            self.instants.push((x, instant));
         }
         place
     }

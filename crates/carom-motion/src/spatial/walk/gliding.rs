@@ -41,6 +41,8 @@ pub(super) struct Gliding<'g, 'w, M: Motion> {
     counted: Vec<f64>,
     /// The motion at places of the step that is being looked at.
     pub(super) places: Vec<Place<M::Y>>,
+    /// What was worked out there.
+    pub(super) instants: Vec<(f64, M::Instant)>,
     start_time: f64,
     /// Time since the start of the stretch [s].
     pub(in crate::spatial) elapsed: f64,
@@ -74,6 +76,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
             middle: body.middle(),
             counted,
             places: vec![],
+            instants: vec![],
             start_time: walker.time,
             elapsed: 0.0,
             work: 0.0,
@@ -183,7 +186,10 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
     }
 
     fn first_event(&mut self, step: &Step<M::Y>) -> Result<Option<Found<Event>>, Lost> {
-        self.motion.look(step);
+        self.places.clear();
+        self.instants.clear();
+        let at: Vec<Posture> = M::LOOKED_AT.iter().map(|x| self.place(step, *x).at).collect();
+        self.motion.look(step, &at);
         let found = self.event_in(step);
         // An event may have been passed over, and the motion go on without end.
         if lost() { Err(Lost::Number) } else { Ok(found) }
@@ -191,8 +197,9 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
 
     fn value(&mut self, event: &Event, after: f64, y: &M::Y) -> f64 {
         self.walker.effort.event_evaluations += 1;
-        let at = self.motion.posture(y, self.elapsed + after);
-        self.value_at(event, y, &at)
+        let instant = self.motion.instant(y);
+        let at = self.motion.posture_at(y, self.elapsed + after, &instant);
+        self.value_at(event, y, &at, &instant)
     }
 
     fn slope(&mut self, event: &Event, after: f64, y: &M::Y) -> Option<f64> {

@@ -60,6 +60,8 @@ pub(super) enum Stop {
 pub(in crate::spatial) trait Motion {
     /// What is integrated.
     type Y: ode8::Vector;
+    /// What is worked out of an instant once, for its posture and for all events.
+    type Instant;
 
     /// Its derivative.
     fn rate(&self, y: &Self::Y) -> Self::Y;
@@ -97,10 +99,19 @@ pub(in crate::spatial) trait Motion {
     /// How long a slip that comes to its end still takes \[s\], and the motion where it ends; `None` where no slip comes to its end.
     fn stops(&self, y: &Self::Y, rate: &Self::Y) -> Option<(f64, Self::Y)>;
 
-    /// Looks at a step before events are searched in it.
-    fn look(&mut self, step: &Step<Self::Y>);
+    /// Places of a step that are looked at before events are searched in it.
+    const LOOKED_AT: &'static [f64];
 
-    fn posture(&self, y: &Self::Y, elapsed: f64) -> Posture;
+    /// Looks at a step, which has these postures there.
+    fn look(&mut self, step: &Step<Self::Y>, at: &[Posture]);
+
+    fn instant(&self, y: &Self::Y) -> Self::Instant;
+
+    fn posture_at(&self, y: &Self::Y, elapsed: f64, instant: &Self::Instant) -> Posture;
+
+    fn posture(&self, y: &Self::Y, elapsed: f64) -> Posture {
+        self.posture_at(y, elapsed, &self.instant(y))
+    }
 
     fn state(&self, y: &Self::Y, elapsed: f64) -> State;
 
@@ -128,7 +139,7 @@ pub(in crate::spatial) trait Motion {
     fn smooth_events(&self) -> Vec<Event>;
 
     /// The value of such a function: positive as long as the mode holds.
-    fn value(&self, event: &Event, y: &Self::Y, at: &Posture) -> f64;
+    fn value(&self, event: &Event, y: &Self::Y, at: &Posture, instant: &Self::Instant) -> f64;
 
     /// The edge, or zero for a point, that the body turns about and may lean over.
     fn leans_over(&self) -> Option<Vec3>;
@@ -185,6 +196,7 @@ impl Standing {
 
 impl Motion for Standing {
     type Y = Vector;
+    type Instant = ();
 
     fn rate(&self, y: &Vector) -> Vector {
         self.stretch.equations.rate(y)
@@ -207,9 +219,13 @@ impl Motion for Standing {
         None
     }
 
-    fn look(&mut self, _: &Step<Vector>) {}
+    const LOOKED_AT: &'static [f64] = &[];
 
-    fn posture(&self, y: &Vector, elapsed: f64) -> Posture {
+    fn look(&mut self, _: &Step<Vector>, _: &[Posture]) {}
+
+    fn instant(&self, _: &Vector) {}
+
+    fn posture_at(&self, y: &Vector, elapsed: f64, (): &()) -> Posture {
         self.stretch.posture(y, elapsed)
     }
 
@@ -250,7 +266,7 @@ impl Motion for Standing {
         events
     }
 
-    fn value(&self, event: &Event, _: &Vector, at: &Posture) -> f64 {
+    fn value(&self, event: &Event, _: &Vector, at: &Posture, (): &()) -> f64 {
         match (*event, self.friction) {
             (Event::Lets { place, .. }, _) => self.stretch.equations.normal_forces(at)[place],
             (Event::Slips(which), Some(friction)) => self.grip(friction, which, at),

@@ -15,6 +15,7 @@ mod projection;
 mod start;
 
 use self::carriers::Carrier;
+use self::moment::Moment;
 use super::motion::{Event, Motion};
 use crate::spatial::geometry::body::Body;
 use crate::spatial::geometry::feature::Feature;
@@ -22,9 +23,11 @@ use crate::spatial::geometry::posture::{Bend, Height, Most, Moving, Posture, Upr
 use crate::spatial::geometry::state::{Pose, State};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::{Scales, Support, World};
+use crate::spatial::modes::grip::Reactions;
 use crate::spatial::modes::stretch::Heights;
 use carom_num::ode8::Step;
 use carom_num::{Rotation, Vec3};
+use std::cell::OnceCell;
 
 /// Turn (4), spin (3), the foot's way and slip (3 each), work of friction, spin about the plane's normal.
 pub(in crate::spatial) type Vector = [f64; DIMENSIONS];
@@ -39,8 +42,6 @@ pub(super) const YAW: usize = 14;
 const TOWARDS_STOP: f64 = 0.8;
 /// Between the nodes of a step angular accelerations are at most this many times those at nodes, and this much more in the world's own units.
 const BETWEEN: (f64, f64) = (1.5, 0.1);
-/// Places of a step at which angular accelerations are looked at.
-const LOOKED_AT: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// A slip, and what friction does to it.
 #[derive(Clone, Copy, Debug)]
@@ -101,6 +102,13 @@ pub(in crate::spatial) struct Sliding<'w> {
     most: [f64; 3],
 }
 
+/// The body at an instant, the forces on it, and where it is once that is asked.
+pub(in crate::spatial) struct Instant {
+    pub(super) now: Moment,
+    pub(super) reactions: Option<Reactions>,
+    pub(super) pose: OnceCell<Pose>,
+}
+
 impl Sliding<'_> {
     /// The same, where the slip of a support has come to its end: it is zero. The slower a slip is, the faster friction turns it, so that on its last
     /// way no straight step knows its direction. What such a step leaves across the slip is the error of the integration, however large it is beside
@@ -137,6 +145,7 @@ impl Sliding<'_> {
 
 impl Motion for Sliding<'_> {
     type Y = Vector;
+    type Instant = Instant;
 
     fn rate(&self, y: &Vector) -> Vector {
         let now = self.moment(y);
@@ -237,25 +246,30 @@ impl Motion for Sliding<'_> {
         Some((rest, self.stopped(&std::array::from_fn(|i| y[i] + rest * rate[i]), support)))
     }
 
-    fn look(&mut self, step: &Step<Vector>) {
+    const LOOKED_AT: &'static [f64] = &[0.0, 0.25, 0.5, 0.75, 1.0];
+
+    fn look(&mut self, step: &Step<Vector>, at: &[Posture]) {
         let grown = |y: &Vector| {
             let fast = |s: &Slowing| s.speed > SLIP_GROWN * self.scales.speed;
             self.slowing(y, &step.end_rate).filter(fast).map(|s| s.support).collect::<Supports>()
         };
         self.grown = self.grown.union(grown(&step.start)).union(grown(&step.end));
         self.most = [0.0; 3];
-        for x in LOOKED_AT {
-            let at = self.posture(&step.at(x), 0.0);
+        for at in at {
             for (most, v) in self.most.iter_mut().zip([at.turning, at.spin, at.base[2]]) {
                 *most = most.max(v.norm());
             }
         }
     }
 
-    fn posture(&self, y: &Vector, _: f64) -> Posture {
+    fn instant(&self, y: &Vector) -> Instant {
         let now = self.moment(y);
         let reactions = self.reactions(&now);
-        self.posture_of(y, &now, reactions.as_ref())
+        Instant { now, reactions, pose: OnceCell::new() }
+    }
+
+    fn posture_at(&self, y: &Vector, _: f64, Instant { now, reactions, .. }: &Instant) -> Posture {
+        self.posture_of(y, now, reactions.as_ref())
     }
 
     fn state(&self, y: &Vector, _: f64) -> State {
@@ -311,8 +325,8 @@ impl Motion for Sliding<'_> {
         self.events()
     }
 
-    fn value(&self, event: &Event, y: &Vector, _: &Posture) -> f64 {
-        self.event_value(event, y)
+    fn value(&self, event: &Event, y: &Vector, _: &Posture, instant: &Instant) -> f64 {
+        self.event_value(event, y, instant)
     }
 
     fn leans_over(&self) -> Option<Vec3> {

@@ -2,7 +2,7 @@
 
 use super::super::motion::Event;
 use super::carriers::Carrier;
-use super::{Sliding, Vector};
+use super::{Instant, Sliding, Vector};
 use crate::spatial::modes::grip::Bearing;
 use crate::tolerance::{BEYOND_END, FLAT};
 
@@ -30,13 +30,14 @@ impl Sliding<'_> {
     }
 
     /// The value of an event's function: positive as long as it has not come.
-    pub(super) fn event_value(&self, event: &Event, y: &Vector) -> f64 {
-        let now = self.moment(y);
+    pub(super) fn event_value(&self, event: &Event, y: &Vector, instant: &Instant) -> f64 {
+        let Instant { now, reactions, pose } = instant;
         if let Event::Leaves { support, limit } = *event {
             let beyond = BEYOND_END * self.scales.length;
-            return self.world.margin(support, limit, self.pose(y, now.turned, now.spin)) + beyond;
+            let pose = pose.get_or_init(|| self.pose(y, now.turned, now.spin));
+            return self.world.margin(support, limit, *pose) + beyond;
         }
-        let Some(reactions) = self.reactions(&now) else { return f64::NAN };
+        let Some(reactions) = reactions else { return f64::NAN };
         match *event {
             // One support that slides is left to itself where its force turns; where it grows without bound instead, the force has the sign of its regularity.
             Event::Lets { place, .. } if self.carriers.len() == 1 => {
@@ -52,7 +53,7 @@ impl Sliding<'_> {
                 let most = self.carriers[k].friction * normal;
                 most * most - across.dot(across)
             }
-            Event::Gives => self.left(&now),
+            Event::Gives => self.left(now),
             Event::Flattens(support) => {
                 let carrier = self.carriers.iter().zip(&now.bearings).find(|(c, _)| c.support == support);
                 let tilt = carrier.and_then(|(c, b)| c.feature.tilt(b.up()));
