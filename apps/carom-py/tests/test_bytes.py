@@ -134,6 +134,7 @@ def test_drops_are_those_of_a_sweep(command: Path, tmp_path: Path) -> None:
 def test_a_run_is_a_drop() -> None:
     table = carom.drops("examples/case_2.toml", {"contact.friction": [0.15]})
     run = carom.run("examples/case_2.toml")
+    assert isinstance(run, carom.Run)
     assert table["end_s"][0] == run.end_s
     assert table["margin"][0] == run.margin
 

@@ -19,6 +19,7 @@ def test_a_scene_ends_in_mujoco_as_in_carom(name: str) -> None:
     mujoco.mj_resetDataKeyframe(model, data, 0)
     part = model.body("part").id
     run = carom.run(scene)
+    assert isinstance(run, carom.Run)
     start, end = run.stages[0].start, run.stages[-1].end
     assert data.qpos.tolist() == [0, 0, 0]
     mujoco.mj_forward(model, data)

@@ -3,6 +3,10 @@
 function solidView(root, canvas, numbers, poseAt, named, view) {
   "use strict";
   const { corners, faces, lines, points, names, samples, stages, strikes } = numbers;
+  const numbered = numbers.numbered ?? faces.length;
+  // Of every corner of the drawing the point that it is at: round corners are drawn with several.
+  const apart = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
+  const owner = corners.map((r) => points.reduce((best, p, i) => (apart(r, p) < apart(r, points[best]) ? i : best), 0));
   const pen = canvas.getContext("2d");
   const span = Math.max(samples[samples.length - 1][0] - samples[0][0], 1e-12);
   const plates = solidPlates(pen, numbers.plates ?? []);
@@ -275,16 +279,20 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
       pen.fillText(text, x - half, y + 5);
     };
     const front = faces.map((face, i) => [i, face.map((k) => seen[k]), area(face.map((k) => seen[k]))]);
-    const shown = front.filter(([, , size]) => size < -420).sort((a, b) => a[2] - b[2]);
+    const shown = front.filter(([i, , size]) => i < numbered && size < -420).sort((a, b) => a[2] - b[2]);
     for (const [i, places] of shown) {
       const middle = [0, 1].map((k) => places.reduce((sum, at) => sum + at[k], 0) / places.length);
       put(String(i), ...middle, "700 15px system-ui, sans-serif", c.blue);
     }
     const centre = [0, 1].map((k) => seen.reduce((sum, at) => sum + at[k], 0) / seen.length);
-    for (const i of new Set(front.filter(([, , size]) => size < 0).flatMap(([face]) => faces[face]))) {
-      const out = [seen[i][0] - centre[0], seen[i][1] - centre[1]];
+    const named = new Map();
+    for (const k of front.filter(([, , size]) => size < 0).flatMap(([face]) => faces[face])) {
+      if (!named.has(owner[k])) named.set(owner[k], k);
+    }
+    for (const [i, k] of named) {
+      const out = [seen[k][0] - centre[0], seen[k][1] - centre[1]];
       const far = Math.hypot(...out) || 1;
-      put(names[i], seen[i][0] + (11 * out[0]) / far, seen[i][1] + (11 * out[1]) / far, "11px system-ui, sans-serif", c.soft);
+      put(names[i], seen[k][0] + (11 * out[0]) / far, seen[k][1] + (11 * out[1]) / far, "11px system-ui, sans-serif", c.soft);
     }
   }
 

@@ -65,7 +65,8 @@ impl SpaceScene {
     /// The same as a figure of a body in space.
     pub(crate) fn figure<'a>(&'a self, feeder: &'a Feeder) -> SolidFigure<'a> {
         let (corners, faces, points) = (&self.corners, &self.faces, feeder.part.body.supports());
-        let drawing = SolidDrawing { corners, faces, lines: &[], points, names: &self.names };
+        let numbered = feeder.part.faces.len();
+        let drawing = SolidDrawing { corners, faces, numbered, lines: &[], points, names: &self.names };
         SolidFigure {
             title: "",
             verdict: "",

@@ -50,7 +50,6 @@ fn all_problems_of_a_scene_are_told() {
         [part]
         shape = "solid"
         box = ["40 mm", "0 mm", "20 mm"]
-        corner_radius = "1 mm"
         [contact]
         friction = -1
         [start]
@@ -67,7 +66,6 @@ fn all_problems_of_a_scene_are_told() {
     let paths: Vec<&str> = found.list.iter().map(|problem| problem.path.as_str()).collect();
     for path in [
         "part.box.y",
-        "part.corner_radius",
         "part.mass",
         "contact.friction",
         "start.face",
@@ -96,6 +94,36 @@ fn what_is_drawn_is_checked_as_a_whole() {
     assert!(walled.contains("plate.upper.width: 18 mm is too narrow: the part takes 20 mm"), "{walled}");
     let wanted = problems(&BAR.replace("want = \"turned\"", "want = 6")).to_string();
     assert!(wanted.contains("plate.lower.want"), "{wanted}");
+}
+
+/// Its faces stay where they are, and what is filled is the rounded box.
+#[test]
+fn the_edges_of_a_part_may_be_round() {
+    let sharp = SpaceScene::parse("bar.toml", BAR).unwrap();
+    let text = BAR.replace("density", "corner_radius = \"2 mm\"\n    density");
+    let round = SpaceScene::parse("round.toml", &text).unwrap();
+    let [own, other] = [&round, &sharp].map(|scene| &scene.feeder().part);
+    assert_eq!(own.body.rounding(), Some(2e-3));
+    for (one, face) in own.faces.iter().zip(&other.faces) {
+        assert!((one.depth - face.depth).abs() < 1e-15 && (one.normal - face.normal).norm() < 1e-12);
+    }
+    let (lost, whole) = (other.body.mass() - own.body.mass(), other.body.mass());
+    assert!(lost > 0.0 && lost < 0.1 * whole, "{lost} of {whole} kg");
+    let run = round.feeder().run().unwrap();
+    assert_eq!(run.outcome, Outcome::Landed);
+    let thick = problems(&text.replace("2 mm", "6 mm")).to_string();
+    assert!(thick.contains("part.corner_radius: is too large: nothing of the face"), "{thick}");
+}
+
+#[test]
+fn the_shape_of_a_solid_has_no_tolerance() {
+    let text = BAR
+        .replace("density", "corner_radius = \"2 ± 0.1 mm\"\n    density")
+        .replace("\"40 mm\"", "\"40 ± 0.5 mm\"");
+    let found = problems(&text);
+    let paths: Vec<&str> = found.list.iter().map(|problem| problem.path.as_str()).collect();
+    assert_eq!(paths, ["part.box", "part.corner_radius"]);
+    assert!(found.to_string().contains("write its middle alone"), "{found}");
 }
 
 #[test]

@@ -29,6 +29,7 @@ fn page(times: &[f64]) -> String {
         drawing: SolidDrawing {
             corners: &corners,
             faces: &faces,
+            numbered: faces.len(),
             lines: &[],
             points: &corners,
             names: &names,

@@ -33,9 +33,27 @@ pub(crate) fn refused_in_the_plane(tree: &Node) -> Option<Problem> {
     })
 }
 
+/// The shape of a solid and what fills it do not vary: a tolerance there would be written for nothing.
+fn refuse_tolerances(section: &Section<'_>) {
+    let vectors = ["box", "centre", "inertia", "inertia_products"].map(|key| (key, section.vector::<3>(key)));
+    let vertices = section.vectors::<3>("vertices").map(|all| all.into_iter().flatten().collect::<Vec<_>>());
+    let numbers = ["corner_radius", "flatness"].map(|key| (key, section.quantity_if_known(key)));
+    let all = vectors.into_iter().map(|(key, of)| (key, of.map(Vec::from)));
+    let all =
+        all.chain([("vertices", vertices)]).chain(numbers.map(|(key, of)| (key, of.map(|of| vec![of]))));
+    for (key, quantities) in all {
+        if quantities.is_some_and(|all| all.iter().any(|quantity| quantity.tolerance.is_some())) {
+            let message =
+                "has a tolerance, and the shape of a solid part does not vary: write its middle alone";
+            section.blame(ProblemKind::Unsupported, key, message);
+        }
+    }
+}
+
 /// Reads `[part]` of a scene in space; an STL file is looked for beside the scene.
 pub(crate) fn read_solid(root: &Section<'_>, beside: Beside<'_>) -> Option<PartDrawing> {
     let section = root.section("part")?;
+    refuse_tolerances(&section);
     let shape = read_shape(&section, beside);
     let written = section.has("mass") || section.has("density");
     let heft = if written { read_mass(&section, shape.as_ref()) } else { None };
