@@ -8,7 +8,7 @@ use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
 };
 use carom_motion::planar::Shape;
-use carom_motion::spatial::Polyhedron;
+use carom_motion::spatial::{Options, Polyhedron, State};
 use carom_num::elementary::{atan2, sin_cos, tan};
 use carom_num::{Rotation, Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
@@ -307,6 +307,41 @@ fn tetrahedra_that_are_fast_leave_their_plates() {
         (feeder.plates[0].roll, feeder.plates[0].friction) = (0.1, 0.03);
         let run = feeder.run_untraced();
         assert!(run.is_ok(), "{case}: {:?}", run.err());
+    }
+}
+
+/// As its lower corner comes to the end of the plate, the edge beside it that carries there comes to the corner: the corner lifts off before, when the edge takes all. It was said to lift
+/// off where both are one, where its force has grown without bound, and the part went on with another spin.
+#[test]
+fn what_lifts_off_before_two_carriers_meet_is_seen() {
+    let corners = [
+        [0.0177, 1.7986, 2.8091],
+        [0.1484, -2.2067, 0.7484],
+        [1.023, -0.9011, -2.1727],
+        [-1.1861, 1.2955, -1.4148],
+    ];
+    let corners = corners.map(|[x, y, z]| Vec3::new(x, y, z) * 1e-3);
+    let hull = Polyhedron::of_points(&corners, 1e-9).unwrap();
+    let part = spatial::Part::of(&hull, &hull.solid().unwrap(), 7850.0).unwrap();
+    let plate = spatial::Plate {
+        uphill: Vec2::new(-0.026, 0.00204),
+        edge: Vec2::ZERO,
+        width: Some(0.0198),
+        roll: 0.1817,
+        friction: 0.459,
+        restitution: 0.225,
+        ..examples::two_plates().plates[0].clone()
+    };
+    let start = spatial::Start { to_edge: 6.87e-3, aside: -6.2e-4, turn: -1.942, speed: 0.921, face: 1 };
+    let feeder = spatial::Feeder { start, part, plates: vec![plate], ..examples::two_plates() };
+    let prepared = feeder.prepare(Options::default()).unwrap();
+    let run = prepared.run().unwrap();
+    let energy = |state: &State| state.kinetic(prepared.world().body()) + state.potential(prepared.world());
+    let mut least = f64::INFINITY;
+    for (time, _, state) in &run.samples.instants {
+        let now = energy(state);
+        assert!(now <= least + 1e-9 * state.kinetic(prepared.world().body()), "{time}: {now} after {least}");
+        least = least.min(now);
     }
 }
 

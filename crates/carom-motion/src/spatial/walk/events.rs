@@ -6,7 +6,7 @@ use crate::evaluated::{Quantity, evaluated, watched};
 use crate::spatial::geometry::clear::Outlook;
 use crate::spatial::geometry::posture::{Bend, Height, Moving, Posture};
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{BESIDE, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED, STILL_ACCELERATION};
+use crate::tolerance::{BESIDE, FALLS_WITHIN, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED, STILL_ACCELERATION};
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
@@ -132,12 +132,29 @@ impl<M: Motion> Gliding<'_, '_, M> {
         first
     }
 
-    /// The first fall of a smooth event. Forces do not exist where all places that carry come together: where something ends the mode before, none is lost.
+    /// The first fall of a smooth event.
+    ///
+    /// Where two places that carry come together their forces grow without bound and change their signs, and no nodes on both sides of that tell what they do: before what was found it is
+    /// looked again, for as long as something is found there.
     fn first_of_smooth(&mut self, step: &Step<M::Y>) -> Option<Found<Event>> {
+        let mut first = self.first_until(step, 1.0)?;
+        while first.at > 0.0 {
+            let before = self.first_until(step, first.at);
+            match before.filter(|other| other.at < first.at * (1.0 - FALLS_WITHIN)) {
+                Some(before) => first = before,
+                None => break,
+            }
+        }
+        Some(first)
+    }
+
+    /// The same up to a place of a step. Forces do not exist where all places that carry come together: where something ends the mode before, none is lost.
+    fn first_until(&mut self, step: &Step<M::Y>, until: f64) -> Option<Found<Event>> {
         let (mut first, mut without) = (None, f64::INFINITY);
         let (_, lost) = watched(|| {
             for event in self.smooth_events() {
-                let mut of = |x: f64| {
+                let mut of = |share: f64| {
+                    let x = share * until;
                     let Place { y, at, .. } = self.place(step, x);
                     let known = self.instants.iter().find(|(known, _)| known.to_bits() == x.to_bits());
                     let value = match known {
@@ -147,7 +164,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
                     without = if value.is_nan() { x.min(without) } else { without };
                     [value]
                 };
-                let fall = first_fall(&mut of).map(|fall| Found::at(fall.at, event));
+                let fall = first_fall(&mut of).map(|fall| Found::at(fall.at * until, event));
                 first = earlier(first, fall);
             }
         });
