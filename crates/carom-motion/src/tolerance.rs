@@ -188,6 +188,8 @@ pub(crate) const CARRIES: f64 = 1e-12;
 pub(crate) const CLEAR_OF_ROUNDING: f64 = 1e-9;
 /// An obstacle farther from the mass centre than this, in units of the reach, is far: what the body has besides points is not measured against it.
 pub(crate) const FAR: f64 = 1.1;
+/// Rounded edges have at least this radius, in units of the reach, where obstacles have ends: within a smaller one two edges could pass each other between two looks.
+pub(crate) const LEAST_ROUNDING: f64 = 1e-5;
 /// Contacts no farther apart than this, in units of the reach, whose normals differ by no more, are one.
 pub(crate) const ONE_PLACE: f64 = 1e-9;
 /// An edge may touch another in a direction this far, as a sine, from those between its faces.

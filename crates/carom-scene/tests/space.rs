@@ -113,6 +113,12 @@ fn the_edges_of_a_part_may_be_round() {
     assert_eq!(run.outcome, Outcome::Landed);
     let thick = problems(&text.replace("2 mm", "6 mm")).to_string();
     assert!(thick.contains("part.corner_radius: is too large: nothing of the face"), "{thick}");
+    for (radius, said) in
+        [("4.99999999 mm", "is too large: nothing of the part is left"), ("1e-6 mm", "is too small beside")]
+    {
+        let unfit = problems(&text.replace("2 mm", radius)).to_string();
+        assert!(unfit.contains("part.corner_radius") && unfit.contains(said), "{unfit}");
+    }
 }
 
 #[test]

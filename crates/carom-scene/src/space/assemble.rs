@@ -10,7 +10,7 @@ use crate::roll::spatial::ThrownShape;
 use crate::scene::quantities;
 use crate::start::most_probable;
 use crate::surfaces::{contact_notes, surface_of};
-use crate::tolerance::ONE_FACE;
+use crate::tolerance::{LEAST_ROUNDED, ONE_FACE};
 use crate::unit::Dimension;
 use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};
 use carom_motion::spatial::{Body, BodyProblem, Options};
@@ -87,6 +87,34 @@ const BOX_FACES: [Vec3; 6] = [
     Vec3::new(0.0, 0.0, -1.0),
 ];
 
+/// What is wrong with a radius that leaves nothing within it, or that no edge is told from a sharp one by.
+fn unfit_radius(shape: &ThrownShape, centre: Vec3) -> Option<String> {
+    let (inner, radius) = shape.touching();
+    if radius == 0.0 {
+        return None;
+    }
+    let reach = inner.vertices().iter().map(|r| (*r - centre).norm()).fold(0.0, f64::max) + radius;
+    let width = |face: &carom_motion::spatial::Face| {
+        let along = inner.vertices().iter().map(|r| face.normal.dot(*r));
+        let [low, high] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        high - low
+    };
+    let thin = inner.faces().iter().map(width).fold(f64::INFINITY, f64::min);
+    let show = |length| Dimension::Length.show(length);
+    if thin <= LEAST_ROUNDED * reach {
+        return Some(format!("{} is too large: nothing of the part is left between the balls", show(radius)));
+    }
+    let least = LEAST_ROUNDED * reach;
+    let message = || {
+        format!(
+            "{} is too small beside the part: write {} or more, or leave it out",
+            show(radius),
+            show(least)
+        )
+    };
+    (radius < least).then(message)
+}
+
 /// The part: its hull, and what fills it.
 fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> {
     let own = solid.shape.solid;
@@ -99,6 +127,9 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
     let span = Some(drawing.part.span.clone());
     let problem =
         |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, span.clone());
+    if let Some(message) = unfit_radius(&solid.shape, centre) {
+        return Err(vec![problem("part.corner_radius", message)]);
+    }
     let found = Part::about(solid.shape.touching(), centre, (mass, inertia));
     let mut part = found.map_err(|problems| {
         let path =

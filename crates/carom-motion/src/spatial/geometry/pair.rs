@@ -5,10 +5,10 @@
 //! that and by `ṅ · s`.
 
 use super::crossing::{Crossing, most};
-use super::nearest::Nearest;
+use super::nearest::{Nearest, Span};
 use super::posture::{Height, Most, Moving};
 use super::state::{Pose, State};
-use super::surface::Facet;
+use super::surface::{Edge, Facet, Surface};
 use crate::tolerance::BETWEEN_FACES;
 use carom_num::Vec3;
 
@@ -207,6 +207,50 @@ impl Pair {
             Self::Round(_) => [f64::NEG_INFINITY; 2],
         }
     }
+}
+
+/// What a body may touch of an obstacle besides its faces: each of its faces each of the corners, then each of its edges each of the edges. Where it is round, each of its points each of
+/// the edges, each of its edges each of the corners, and each of its points each of the corners too.
+pub(super) fn pairs_of(own: &Surface, obstacle: &Surface) -> Vec<Pair> {
+    let radius = own.radius;
+    let corners = || obstacle.corners.iter().zip(&obstacle.spokes);
+    let mut pairs = vec![];
+    for face in &own.faces {
+        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| Pair::Corner {
+            face: face.raised(radius),
+            corner: *corner,
+            spokes: spokes.clone(),
+        };
+        pairs.extend(corners().map(of));
+    }
+    for edge in &own.edges {
+        let of = |other: &Edge| Pair::Cross(Crossing { own: *edge, other: *other, radius });
+        pairs.extend(obstacle.edges.iter().map(of));
+    }
+    if radius == 0.0 {
+        return pairs;
+    }
+    let points = || own.corners.iter().zip(&own.spokes);
+    let round = |(own, inner): (Span, &[Vec3]), (other, outer): (Span, &[Vec3])| {
+        Pair::Round(Nearest { own, other, radius, inner: inner.to_vec(), outer: outer.to_vec() })
+    };
+    for (point, spokes) in points() {
+        let of = |edge: &Edge| round((Span::point(*point), spokes), (Span::edge(edge), &edge.sides));
+        pairs.extend(obstacle.edges.iter().map(of));
+    }
+    for edge in &own.edges {
+        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| {
+            round((Span::edge(edge), &edge.sides), (Span::point(*corner), spokes))
+        };
+        pairs.extend(corners().map(of));
+    }
+    for (point, own) in points() {
+        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| {
+            round((Span::point(*point), own), (Span::point(*corner), spokes))
+        };
+        pairs.extend(corners().map(of));
+    }
+    pairs
 }
 
 #[cfg(test)]

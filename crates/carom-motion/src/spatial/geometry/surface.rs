@@ -73,7 +73,7 @@ impl Facet {
         self.limits.iter().all(|limit| limit.margin(at) >= 0.0)
     }
 
-    /// The same, so far outside.
+    /// The same face, so far outside.
     pub(in crate::spatial) fn raised(&self, by: f64) -> Self {
         Self { plane: self.plane.raised(by), limits: self.limits.clone() }
     }

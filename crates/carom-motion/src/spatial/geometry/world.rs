@@ -1,18 +1,16 @@
 //! A body among fixed obstacles, and the world's own units.
 
 use super::body::Body;
-use super::crossing::Crossing;
 use super::feature::Feature;
 use super::friction::{Friction, FrictionProblem};
 use super::hull::HullProblem;
-use super::nearest::{Nearest, Span};
 use super::obstacle::{Obstacle, Rough};
-use super::pair::Pair;
+use super::pair::{Pair, pairs_of};
 use super::plane::Plane;
 use super::polyhedron::Polyhedron;
 use super::supports::Supports;
-use super::surface::{Edge, Limit, Surface};
-use crate::tolerance::{ON_EDGE, ONE_SUPPORT};
+use super::surface::{Limit, Surface};
+use crate::tolerance::{LEAST_ROUNDING, ON_EDGE, ONE_SUPPORT};
 use carom_num::Vec3;
 use std::ops::Range;
 use thiserror::Error;
@@ -90,6 +88,16 @@ pub enum ObstaclesProblem {
         "a body with circles, or with balls of different radii, touches planes without ends alone: an obstacle has edges"
     )]
     Round,
+    /// A ball so small beside the body that what it rounds touches as what is sharp does.
+    #[error(
+        "the radius of {radius} m is too small beside the body: at least {least} m, or 0 for sharp edges"
+    )]
+    Sharp {
+        /// What it is \[m\].
+        radius: f64,
+        /// The least one that is told from a sharp edge \[m\].
+        least: f64,
+    },
     /// A body whose points have no hull with edges and faces, and obstacles that have ends.
     #[error("the body needs edges and faces where an obstacle has ends: {0}")]
     Shape(HullProblem),
@@ -277,12 +285,13 @@ impl World {
     pub(in crate::spatial) fn are_alike(&self, supports: Supports) -> bool {
         let feature = |i: usize| self.support(i).feature;
         let Some(first) = supports.iter().next() else { return true };
-        !self.body.is_round() || supports.iter().all(|i| feature(i).is_like(feature(first)))
+        self.body.rounding().is_some() || supports.iter().all(|i| feature(i).is_like(feature(first)))
     }
 
     /// A support between two others on its plane stays on the line of their places as they move: true where its radii lie as its centre does between theirs.
     pub(in crate::spatial) fn is_between(&self, [a, b]: [usize; 2], support: usize) -> bool {
-        if !self.body.is_round() {
+        // With one ball about all of its points the radii are alike, and the ends may be edges.
+        if self.body.rounding().is_some() {
             return true;
         }
         let [from, to, own] = [a, b, support].map(|i| self.support(i).feature);
@@ -325,6 +334,10 @@ fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Ve
         return Ok((Surface::default(), vec![]));
     }
     let radius = body.rounding().ok_or(ObstaclesProblem::Round)?;
+    let least = LEAST_ROUNDING * body.reach();
+    if radius > 0.0 && radius < least {
+        return Err(ObstaclesProblem::Sharp { radius, least });
+    }
     if radius > 0.0 && body.supports().len() <= 2 {
         let surface = Surface::of_round(body.supports(), radius);
         let spokes = surface.spokes.clone();
@@ -340,48 +353,4 @@ fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Ve
         spokes[*source].clone_from(own);
     }
     Ok((surface, spokes))
-}
-
-/// What a body may touch of an obstacle besides its faces: each of its faces each of the corners, then each of its edges each of the edges. Where it is round, each of its points each of
-/// the edges, each of its edges each of the corners, and each of its points each of the corners too.
-fn pairs_of(own: &Surface, obstacle: &Surface) -> Vec<Pair> {
-    let radius = own.radius;
-    let corners = || obstacle.corners.iter().zip(&obstacle.spokes);
-    let mut pairs = vec![];
-    for face in &own.faces {
-        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| Pair::Corner {
-            face: face.raised(radius),
-            corner: *corner,
-            spokes: spokes.clone(),
-        };
-        pairs.extend(corners().map(of));
-    }
-    for edge in &own.edges {
-        let of = |other: &Edge| Pair::Cross(Crossing { own: *edge, other: *other, radius });
-        pairs.extend(obstacle.edges.iter().map(of));
-    }
-    if radius == 0.0 {
-        return pairs;
-    }
-    let points = || own.corners.iter().zip(&own.spokes);
-    let round = |(own, inner): (Span, &[Vec3]), (other, outer): (Span, &[Vec3])| {
-        Pair::Round(Nearest { own, other, radius, inner: inner.to_vec(), outer: outer.to_vec() })
-    };
-    for (point, spokes) in points() {
-        let of = |edge: &Edge| round((Span::point(*point), spokes), (Span::edge(edge), &edge.sides));
-        pairs.extend(obstacle.edges.iter().map(of));
-    }
-    for edge in &own.edges {
-        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| {
-            round((Span::edge(edge), &edge.sides), (Span::point(*corner), spokes))
-        };
-        pairs.extend(corners().map(of));
-    }
-    for (point, own) in points() {
-        let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| {
-            round((Span::point(*point), own), (Span::point(*corner), spokes))
-        };
-        pairs.extend(corners().map(of));
-    }
-    pairs
 }

@@ -1,8 +1,6 @@
 //! Rates against differences.
 
 use super::*;
-use crate::spatial::geometry::nearest::Span;
-use crate::spatial::geometry::surface::Edge;
 use carom_num::Rotation;
 
 const STEP: f64 = 1e-6;
