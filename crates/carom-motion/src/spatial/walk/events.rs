@@ -30,11 +30,11 @@ pub(super) struct Place<Y> {
 }
 
 impl<M: Motion> Gliding<'_, '_, M> {
-    pub(super) fn value_at(&self, event: &Event, y: &M::Y, at: &Posture, instant: &M::Instant) -> f64 {
+    pub(super) fn value_at(&self, event: &Event, y: &M::Y, at: &Posture, known: &M::Known) -> f64 {
         let value = match *event {
             Event::Touches(support) => return self.height(support, at).value,
             Event::Overturns => self.uprightness(at),
-            _ => self.motion.value(event, y, at, instant),
+            _ => self.motion.value(event, y, at, known),
         };
         evaluated(Quantity::Event, value)
     }
@@ -156,10 +156,10 @@ impl<M: Motion> Gliding<'_, '_, M> {
                 let mut of = |share: f64| {
                     let x = share * until;
                     let Place { y, at, .. } = self.place(step, x);
-                    let known = self.instants.iter().find(|(known, _)| known.to_bits() == x.to_bits());
+                    let known = self.known_at.iter().find(|(known, _)| known.to_bits() == x.to_bits());
                     let value = match known {
-                        Some((_, instant)) => self.value_at(&event, &y, &at, instant),
-                        None => self.value_at(&event, &y, &at, &self.motion.instant(&y)),
+                        Some((_, known)) => self.value_at(&event, &y, &at, known),
+                        None => self.value_at(&event, &y, &at, &self.motion.known(&y)),
                     };
                     without = if value.is_nan() { x.min(without) } else { without };
                     [value]
@@ -260,12 +260,12 @@ impl<M: Motion> Gliding<'_, '_, M> {
             return *known;
         }
         let y = step.at(x);
-        let instant = self.motion.instant(&y);
-        let at = self.motion.posture_at(&y, self.elapsed + x * step.length, &instant);
+        let known = self.motion.known(&y);
+        let at = self.motion.posture_at(&y, self.elapsed + x * step.length, &known);
         let place = Place { x, y, at, moving: self.motion.moving(&at) };
         if self.places.len() < MOST_PLACES {
             self.places.push(place);
-            self.instants.push((x, instant));
+            self.known_at.push((x, known));
         }
         place
     }

@@ -42,7 +42,7 @@ pub(super) struct Gliding<'g, 'w, M: Motion> {
     /// The motion at places of the step that is being looked at.
     pub(super) places: Vec<Place<M::Y>>,
     /// What was worked out there.
-    pub(super) instants: Vec<(f64, M::Instant)>,
+    pub(super) known_at: Vec<(f64, M::Known)>,
     start_time: f64,
     /// Time since the start of the stretch [s].
     pub(in crate::spatial) elapsed: f64,
@@ -76,7 +76,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
             middle: body.middle(),
             counted,
             places: vec![],
-            instants: vec![],
+            known_at: vec![],
             start_time: walker.time,
             elapsed: 0.0,
             work: 0.0,
@@ -187,7 +187,7 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
 
     fn first_event(&mut self, step: &Step<M::Y>) -> Result<Option<Found<Event>>, Lost> {
         self.places.clear();
-        self.instants.clear();
+        self.known_at.clear();
         let at: Vec<Posture> = M::LOOKED_AT.iter().map(|x| self.place(step, *x).at).collect();
         self.motion.look(step, &at);
         let found = self.event_in(step);
@@ -197,9 +197,9 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
 
     fn value(&mut self, event: &Event, after: f64, y: &M::Y) -> f64 {
         self.walker.effort.event_evaluations += 1;
-        let instant = self.motion.instant(y);
-        let at = self.motion.posture_at(y, self.elapsed + after, &instant);
-        self.value_at(event, y, &at, &instant)
+        let known = self.motion.known(y);
+        let at = self.motion.posture_at(y, self.elapsed + after, &known);
+        self.value_at(event, y, &at, &known)
     }
 
     fn slope(&mut self, event: &Event, after: f64, y: &M::Y) -> Option<f64> {

@@ -61,7 +61,7 @@ pub(in crate::spatial) trait Motion {
     /// What is integrated.
     type Y: ode8::Vector;
     /// What is worked out of an instant once, for its posture and for all events.
-    type Instant;
+    type Known;
 
     /// Its derivative.
     fn rate(&self, y: &Self::Y) -> Self::Y;
@@ -105,12 +105,12 @@ pub(in crate::spatial) trait Motion {
     /// Looks at a step, which has these postures there.
     fn look(&mut self, step: &Step<Self::Y>, at: &[Posture]);
 
-    fn instant(&self, y: &Self::Y) -> Self::Instant;
+    fn known(&self, y: &Self::Y) -> Self::Known;
 
-    fn posture_at(&self, y: &Self::Y, elapsed: f64, instant: &Self::Instant) -> Posture;
+    fn posture_at(&self, y: &Self::Y, elapsed: f64, known: &Self::Known) -> Posture;
 
     fn posture(&self, y: &Self::Y, elapsed: f64) -> Posture {
-        self.posture_at(y, elapsed, &self.instant(y))
+        self.posture_at(y, elapsed, &self.known(y))
     }
 
     fn state(&self, y: &Self::Y, elapsed: f64) -> State;
@@ -139,7 +139,7 @@ pub(in crate::spatial) trait Motion {
     fn smooth_events(&self) -> Vec<Event>;
 
     /// The value of such a function: positive as long as the mode holds.
-    fn value(&self, event: &Event, y: &Self::Y, at: &Posture, instant: &Self::Instant) -> f64;
+    fn value(&self, event: &Event, y: &Self::Y, at: &Posture, known: &Self::Known) -> f64;
 
     /// The edge, or zero for a point, that the body turns about and may lean over.
     fn leans_over(&self) -> Option<Vec3>;
@@ -196,7 +196,7 @@ impl Standing {
 
 impl Motion for Standing {
     type Y = Vector;
-    type Instant = ();
+    type Known = ();
 
     fn rate(&self, y: &Vector) -> Vector {
         self.stretch.equations.rate(y)
@@ -223,7 +223,7 @@ impl Motion for Standing {
 
     fn look(&mut self, _: &Step<Vector>, _: &[Posture]) {}
 
-    fn instant(&self, _: &Vector) {}
+    fn known(&self, _: &Vector) {}
 
     fn posture_at(&self, y: &Vector, elapsed: f64, (): &()) -> Posture {
         self.stretch.posture(y, elapsed)

@@ -103,7 +103,7 @@ pub(in crate::spatial) struct Sliding<'w> {
 }
 
 /// The body at an instant, the forces on it, and where it is once that is asked.
-pub(in crate::spatial) struct Instant {
+pub(in crate::spatial) struct Known {
     pub(super) now: Moment,
     pub(super) reactions: Option<Reactions>,
     pub(super) pose: OnceCell<Pose>,
@@ -145,7 +145,7 @@ impl Sliding<'_> {
 
 impl Motion for Sliding<'_> {
     type Y = Vector;
-    type Instant = Instant;
+    type Known = Known;
 
     fn rate(&self, y: &Vector) -> Vector {
         let now = self.moment(y);
@@ -262,13 +262,13 @@ impl Motion for Sliding<'_> {
         }
     }
 
-    fn instant(&self, y: &Vector) -> Instant {
+    fn known(&self, y: &Vector) -> Known {
         let now = self.moment(y);
         let reactions = self.reactions(&now);
-        Instant { now, reactions, pose: OnceCell::new() }
+        Known { now, reactions, pose: OnceCell::new() }
     }
 
-    fn posture_at(&self, y: &Vector, _: f64, Instant { now, reactions, .. }: &Instant) -> Posture {
+    fn posture_at(&self, y: &Vector, _: f64, Known { now, reactions, .. }: &Known) -> Posture {
         self.posture_of(y, now, reactions.as_ref())
     }
 
@@ -325,8 +325,8 @@ impl Motion for Sliding<'_> {
         self.events()
     }
 
-    fn value(&self, event: &Event, y: &Vector, _: &Posture, instant: &Instant) -> f64 {
-        self.event_value(event, y, instant)
+    fn value(&self, event: &Event, y: &Vector, _: &Posture, known: &Known) -> f64 {
+        self.event_value(event, y, known)
     }
 
     fn leans_over(&self) -> Option<Vec3> {

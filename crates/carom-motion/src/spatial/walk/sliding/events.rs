@@ -2,7 +2,7 @@
 
 use super::super::motion::Event;
 use super::carriers::Carrier;
-use super::{Instant, Sliding, Vector};
+use super::{Known, Sliding, Vector};
 use crate::spatial::modes::grip::Bearing;
 use crate::tolerance::{BEYOND_END, FLAT};
 
@@ -30,8 +30,8 @@ impl Sliding<'_> {
     }
 
     /// The value of an event's function: positive as long as it has not come.
-    pub(super) fn event_value(&self, event: &Event, y: &Vector, instant: &Instant) -> f64 {
-        let Instant { now, reactions, pose } = instant;
+    pub(super) fn event_value(&self, event: &Event, y: &Vector, known: &Known) -> f64 {
+        let Known { now, reactions, pose } = known;
         if let Event::Leaves { support, limit } = *event {
             let beyond = BEYOND_END * self.scales.length;
             let pose = pose.get_or_init(|| self.pose(y, now.turned, now.spin));
