@@ -310,6 +310,27 @@ fn tetrahedra_that_are_fast_leave_their_plates() {
     }
 }
 
+/// It lies on three corners and on an edge over the end; as its mass centre comes out between two of them another edge, which lies there too, takes over.
+#[test]
+fn a_box_slides_askew_over_an_end_without_friction() {
+    for turn in [3.81284_f64, 7.0, -3.3, 2.2, -8.7] {
+        let mut feeder = examples::two_plates();
+        feeder.part = examples::block(Vec3::new(0.037952, 0.014518, 0.042746), 0.185);
+        feeder.plates.iter_mut().for_each(|plate| (plate.friction, plate.width) = (0.0, None));
+        let down = Vec2::at_angle(-40f64.to_radians());
+        (feeder.plates[0].uphill, feeder.plates[0].edge) = (-down * 0.2, Vec2::ZERO);
+        feeder.start = spatial::Start { to_edge: 0.03, turn: turn.to_radians(), ..feeder.start };
+        feeder.stop = Stop::Delivered;
+        let run = feeder.run().unwrap();
+        assert_ne!(run.outcome, Outcome::Jammed, "{turn}");
+        let first = run.stages.iter().find(|stage| stage.name == StageName::Flight).unwrap();
+        let until = first.start_time;
+        let slid = run.stages.iter().filter(|stage| stage.start_time < until);
+        let names: Vec<StageName> = slid.map(|stage| stage.name).collect();
+        assert!(names.windows(2).all(|two| two != [StageName::Tip, StageName::Slide]), "{turn}: {names:?}");
+    }
+}
+
 /// As its lower corner comes to the end of the plate, the edge beside it that carries there comes to the corner: the corner lifts off before, when the edge takes all. It was said to lift
 /// off where both are one, where its force has grown without bound, and the part went on with another spin.
 #[test]

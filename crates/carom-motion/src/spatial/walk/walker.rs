@@ -193,7 +193,7 @@ impl<'w> Walker<'w> {
             Stop::Event(Event::Touches(support)) => self.meet(Supports::one(support))?,
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
             Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
-            Stop::Event(Event::Gives) => self.slips_apart(None, self.mode.held(self.world))?,
+            Stop::Event(Event::Gives) => self.gives()?,
             Stop::Event(Event::Stops) => self.slip_stops()?,
             Stop::Event(Event::Jams) => self.strike_unapproached(self.mode.held(self.world))?,
             Stop::Event(Event::Leaves { support, .. }) => self.leave(support)?,
@@ -244,6 +244,13 @@ impl<'w> Walker<'w> {
         self.state = settled(world, self.mode, &self.state);
         let rests = matches!(self.mode, Mode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(world, held) }))
+    }
+
+    /// No forces on what carries the body keep it as it is any longer. What lies flush beside takes its share of the load first, if there is anything.
+    fn gives(&mut self) -> Result<Option<End>, MotionError> {
+        let held = self.mode.held(self.world);
+        let beside = self.flush().common(self.touching()?);
+        if beside.is_empty() { self.slips_apart(None, held) } else { self.hold_ahead(held.union(beside)) }
     }
 
     /// The normal force of a held support has fallen to zero: the support is let go if there is a way on without it. There is none where the other
