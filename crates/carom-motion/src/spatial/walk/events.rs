@@ -6,7 +6,7 @@ use crate::evaluated::{Quantity, evaluated, watched};
 use crate::spatial::geometry::clear::Outlook;
 use crate::spatial::geometry::posture::{Bend, Height, Moving, Posture};
 use crate::spatial::terms::Overturning;
-use crate::tolerance::{BESIDE, FALLS_WITHIN, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED, STILL_ACCELERATION};
+use crate::tolerance::{BESIDE, SKIMS, SKIMS_BESIDE, SKIMS_MEASURED, STILL_ACCELERATION};
 use carom_num::Vec3;
 use carom_num::course::{Found, placed};
 use carom_num::elementary::cos;
@@ -17,6 +17,8 @@ use carom_num::ode8::Step;
 const SKIMMED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 /// Places of a step that are kept for those who look there again.
 const MOST_PLACES: usize = 24;
+/// This part of the way to an event is almost there.
+const ALMOST: f64 = 0.99;
 /// A body that is certain to be beside an obstacle for a smaller part of a step is near it.
 const NEAR: f64 = 0.05;
 /// The motion at a place of a step.
@@ -135,17 +137,28 @@ impl<M: Motion> Gliding<'_, '_, M> {
     /// The first fall of a smooth event.
     ///
     /// Where two places that carry come together their forces grow without bound and change their signs, and no nodes on both sides of that tell what they do: before what was found it is
-    /// looked again, for as long as something is found there.
+    /// looked again, for something else that has fallen and stays below zero until there.
     fn first_of_smooth(&mut self, step: &Step<M::Y>) -> Option<Found<Event>> {
         let mut first = self.first_until(step, 1.0)?;
-        while first.at > 0.0 {
-            let before = self.first_until(step, first.at);
-            match before.filter(|other| other.at < first.at * (1.0 - FALLS_WITHIN)) {
-                Some(before) => first = before,
-                None => break,
-            }
+        while first.at > 0.0
+            && let Some(before) = self.first_until(step, first.at)
+            && before.event != first.event
+            && before.at < ALMOST * first.at
+            && self.value_in(step, &before.event, ALMOST * first.at) < 0.0
+        {
+            first = before;
         }
         Some(first)
+    }
+
+    /// The value of an event's function at a place of a step.
+    fn value_in(&mut self, step: &Step<M::Y>, event: &Event, x: f64) -> f64 {
+        let Place { y, at, .. } = self.place(step, x);
+        let known = self.known_at.iter().find(|(known, _)| known.to_bits() == x.to_bits());
+        match known {
+            Some((_, known)) => self.value_at(event, &y, &at, known),
+            None => self.value_at(event, &y, &at, &self.motion.known(&y)),
+        }
     }
 
     /// The same up to a place of a step. Forces do not exist where all places that carry come together: where something ends the mode before, none is lost.
@@ -155,12 +168,7 @@ impl<M: Motion> Gliding<'_, '_, M> {
             for event in self.smooth_events() {
                 let mut of = |share: f64| {
                     let x = share * until;
-                    let Place { y, at, .. } = self.place(step, x);
-                    let known = self.known_at.iter().find(|(known, _)| known.to_bits() == x.to_bits());
-                    let value = match known {
-                        Some((_, known)) => self.value_at(&event, &y, &at, known),
-                        None => self.value_at(&event, &y, &at, &self.motion.known(&y)),
-                    };
+                    let value = self.value_in(step, &event, x);
                     without = if value.is_nan() { x.min(without) } else { without };
                     [value]
                 };

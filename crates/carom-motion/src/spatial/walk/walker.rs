@@ -16,7 +16,7 @@ use crate::spatial::record::observer::Observer;
 use crate::spatial::record::run::Impact;
 use crate::spatial::record::run::{Budget, Clock, Closing, End, Run};
 use crate::spatial::terms::{Effort, Options};
-use crate::tolerance::ONE_INSTANT;
+use crate::tolerance::{ONE_INSTANT, ROUNDING_OF_TIME};
 use carom_impact::spatial::Conclusion;
 use carom_num::Vec3;
 
@@ -246,11 +246,17 @@ impl<'w> Walker<'w> {
         Ok(rests.then(|| End::AtRest { held: spanned(world, held) }))
     }
 
-    /// No forces on what carries the body keep it as it is any longer. What lies flush beside takes its share of the load first, if there is anything.
+    /// No forces on what carries the body keep it as it is any longer. An edge that lies flush beside, over the end of a plate, takes its share of the load first, if there is one: corners on
+    /// faces carry from the start.
     fn gives(&mut self) -> Result<Option<End>, MotionError> {
         let held = self.mode.held(self.world);
-        let beside = self.flush().common(self.touching()?);
-        if beside.is_empty() { self.slips_apart(None, held) } else { self.hold_ahead(held.union(beside)) }
+        let beside = self.flush().common(self.touching()?).those(|i| self.world.pair(i).is_some());
+        // What has been asked a moment ago has taken nothing over.
+        let again = self.lasted <= ROUNDING_OF_TIME * self.scales.time;
+        if beside.is_empty() || again {
+            return self.slips_apart(None, held);
+        }
+        self.hold_ahead(held.union(beside))
     }
 
     /// The normal force of a held support has fallen to zero: the support is let go if there is a way on without it. There is none where the other

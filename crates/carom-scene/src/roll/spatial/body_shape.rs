@@ -120,7 +120,11 @@ fn rounded(root: &Section<'_>, shape: ThrownShape, radius: f64) -> Option<Thrown
             unfit(format!("is too large: nothing of the face {} would stay plane", names.join(", ")))
         }
         Err(RoundingProblem::Faces { vertex, faces }) => {
-            unfit(format!("rounds corners of three faces, and at point {} there are {faces}", corner(vertex)))
+            let found =
+                format!("rounds corners of three faces, and at point {} there are {faces}", corner(vertex));
+            unfit(format!(
+                "{found}; a flatness joins faces that are one but for the digits that were written"
+            ))
         }
         Err(problem) => unfit(problem.to_string()),
     }
