@@ -48,5 +48,3 @@ pub(crate) const ARC_RADII: f64 = 1e-3;
 pub(crate) const STRAIGHT_ARC: f64 = 1e-9;
 /// Unit normals that differ by less than this are of one face.
 pub(crate) const ONE_FACE: f64 = 1e-6;
-/// The radius of a part's edges, and what is left of the part between them, is at least this in units of its reach: smaller ones are not told from sharp edges, or from a plate.
-pub(crate) const LEAST_ROUNDED: f64 = 1e-5;

@@ -10,7 +10,7 @@ use crate::roll::spatial::ThrownShape;
 use crate::scene::quantities;
 use crate::start::most_probable;
 use crate::surfaces::{contact_notes, surface_of};
-use crate::tolerance::{LEAST_ROUNDED, ONE_FACE};
+use crate::tolerance::ONE_FACE;
 use crate::unit::Dimension;
 use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};
 use carom_motion::spatial::{Body, BodyProblem, Options};
@@ -101,10 +101,10 @@ fn unfit_radius(shape: &ThrownShape, centre: Vec3) -> Option<String> {
     };
     let thin = inner.faces().iter().map(width).fold(f64::INFINITY, f64::min);
     let show = |length| Dimension::Length.show(length);
-    if thin <= LEAST_ROUNDED * reach {
+    let least = Body::LEAST_ROUNDING * reach;
+    if thin <= least {
         return Some(format!("{} is too large: nothing of the part is left between the balls", show(radius)));
     }
-    let least = LEAST_ROUNDED * reach;
     let message = || {
         format!(
             "{} is too small beside the part: write {} or more, or leave it out",

@@ -1,7 +1,7 @@
 //! A rigid body that stands on points of its own, sharp or rounded.
 
 use super::feature::Feature;
-use crate::tolerance::{ONE_SUPPORT, PRINCIPAL_SPARE, UNIT_LENGTH};
+use crate::tolerance::{LEAST_ROUNDING, ONE_SUPPORT, PRINCIPAL_SPARE, UNIT_LENGTH};
 use carom_impact::ImpactError;
 use carom_impact::spatial::RigidBody;
 use carom_num::elementary::{acos, cos};
@@ -98,6 +98,15 @@ impl Body {
     /// assert_eq!(Body::MOST, 1024);
     /// ```
     pub const MOST: usize = 1024;
+
+    /// The least radius of balls about its points, in units of its reach, where obstacles have ends: smaller ones are not told from sharp points.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_motion::spatial::Body;
+    /// assert_eq!(Body::LEAST_ROUNDING, 1e-5);
+    /// ```
+    pub const LEAST_ROUNDING: f64 = LEAST_ROUNDING;
 
     /// A body of a mass \[kg\], with its inertia about the mass centre in body axes [kg m²] and its supports from the mass centre in body axes \[m\].
     ///

@@ -93,7 +93,10 @@ impl Nearest {
     }
 
     pub(super) fn meeting(&self, pose: Pose) -> Meeting {
-        let Nearness { centre, between, .. } = self.at(pose);
+        self.meeting_of(&self.at(pose))
+    }
+
+    fn meeting_of(&self, &Nearness { centre, between, .. }: &Nearness) -> Meeting {
         let normal = between.unit().unwrap_or(Vec3::Z);
         Meeting { place: centre - normal * self.radius, normal, gap: between.norm() - self.radius }
     }
@@ -101,7 +104,7 @@ impl Nearest {
     pub(super) fn passing(&self, state: &State) -> Passing {
         let at = self.at(state.pose());
         let change = self.changes(state, &at);
-        let meeting = self.meeting(state.pose());
+        let meeting = self.meeting_of(&at);
         let normal = meeting.normal;
         let turns = (change.between - normal * normal.dot(change.between)) / at.between.norm();
         let slip = state.velocity + change.spin.cross(meeting.place - state.centre);
