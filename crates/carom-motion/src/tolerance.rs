@@ -172,6 +172,8 @@ pub(crate) const PRINCIPAL_SPARE: f64 = 1e-6;
 pub(crate) const THINNEST_BODY: f64 = 1e-6;
 /// Vertices this close to their faces are on them: two units in the last place.
 pub(crate) const VERTEX_ON_FACE: f64 = 4e-16;
+/// A mass centre that is inside a side of a face by less than this part of the reach is over the side: the body is balanced there, and does not stay.
+pub(crate) const OVER_A_SIDE: f64 = 1e-9;
 /// Places that span less than this, in units of the reach, hold neither an edge nor a face.
 pub(crate) const LEAST_SPAN: f64 = 1e-6;
 /// Corners of a plate are on one plane within this part of its size, and turn by more.

@@ -33,6 +33,7 @@ mod spatial_planes;
 mod spatial_pyramids;
 mod spatial_random;
 mod spatial_renumbered;
+mod spatial_rests;
 mod spatial_rough_random;
 mod spatial_rough_stools;
 mod spatial_round;

@@ -22,6 +22,7 @@ pub use geometry::named::Touch;
 pub use geometry::obstacle::{Obstacle, PlateProblem};
 pub use geometry::plane::{Plane, PlaneProblem};
 pub use geometry::polyhedron::{Face, Polyhedron, Stance};
+pub use geometry::rest::Rest;
 pub use geometry::rounding::{Rounding, RoundingProblem};
 pub use geometry::solid::{Mesh, MeshProblem, Solid};
 pub use geometry::state::State;

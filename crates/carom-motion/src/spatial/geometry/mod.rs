@@ -13,6 +13,7 @@ pub(in crate::spatial) mod pair;
 pub(in crate::spatial) mod plane;
 pub(in crate::spatial) mod polyhedron;
 pub(in crate::spatial) mod posture;
+pub(in crate::spatial) mod rest;
 pub(in crate::spatial) mod rounding;
 pub(in crate::spatial) mod solid;
 pub(in crate::spatial) mod state;

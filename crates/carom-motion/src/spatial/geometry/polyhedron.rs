@@ -250,12 +250,14 @@ impl Polyhedron {
     pub fn stance(&self, face: usize, centre: Vec3) -> Option<Stance> {
         let Face { corners, normal } = self.faces.get(face)?;
         let (_, offset) = plane(&self.vertices, corners);
-        let inside = |(a, b): (usize, usize)| {
-            let along = (self.vertices[b] - self.vertices[a]).unit().unwrap_or(Vec3::ZERO);
-            normal.cross(along).dot(centre - self.vertices[a])
-        };
-        let margin = sides(corners).map(inside).fold(f64::INFINITY, f64::min);
+        let margin = sides(corners).map(|side| self.inside(face, side, centre)).fold(f64::INFINITY, f64::min);
         Some(Stance { height: offset - normal.dot(centre), margin })
+    }
+
+    /// How far inside a side of a face the projection of a place on it is; negative beyond the side \[m\].
+    pub(super) fn inside(&self, face: usize, (a, b): (usize, usize), place: Vec3) -> f64 {
+        let along = (self.vertices[b] - self.vertices[a]).unit().unwrap_or(Vec3::ZERO);
+        self.faces[face].normal.cross(along).dot(place - self.vertices[a])
     }
 }
 
