@@ -142,9 +142,9 @@ pub(crate) struct FacesOptions {
     /// Scene file.
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
-    /// Throws, in any attitude, on level ground; rounded up to 16 times a power of two.
-    #[arg(long, default_value_t = 4096, value_parser = clap::value_parser!(u64).range(16..=1 << 28))]
-    pub(crate) throws: u64,
+    /// Throws, in any attitude, on level ground; rounded up to 16 times a power of two [default: 4096; of a solid part 512].
+    #[arg(long, value_parser = clap::value_parser!(u64).range(16..=1 << 28))]
+    pub(crate) throws: Option<u64>,
     /// From what height its lowest point falls, perhaps with a tolerance: "50 ± 10 mm".
     #[arg(long, value_name = "LENGTH", default_value = "100 mm")]
     pub(crate) height: String,

@@ -1,33 +1,72 @@
 //! `carom faces`: what a part can lie on, how surely it stays there, and on which face it comes to rest when it is thrown.
 
+mod plane;
+mod space;
+
 use crate::args::{FacesOptions, Format, Output};
 use crate::failure::Failure;
 use crate::files;
-use crate::pipeline::{MADE_BY, draft};
+use crate::pipeline::MADE_BY;
 use crate::printed::{notes, tell};
 use crate::progress::{Progress, spent};
-use crate::table::fixed;
 use crate::thrown::{headline, range, sampling, until_rest, verdict, without_way};
 use carom::tasks::axes::{Asker, Complaints, plate};
 use carom_figure::{PoseBody, PoseEnd, PoseFigure, pose_report};
-use carom_motion::planar::RestKind;
-use carom_scene::{FaceReport, FacesReport, PartThrows, Scene, unit::Dimension};
-use carom_study::poses::{Plan, Poses};
+use carom_scene::{AnyScene, Drawn, FacesReport, PartThrows, SolidThrows, Thrown, unit::Dimension};
+use carom_study::poses::{Plan, Pose, Posed, Poses};
 use carom_study::yields::REPETITIONS;
 use carom_words::aligned;
 use carom_words::study::percent;
 use carom_words::{part, study};
+pub(crate) use plane::{TABLE_NOTE, table};
+use serde::Serialize;
+pub(crate) use space::{NOTE as SOLID_TABLE_NOTE, table as solid_table};
 use std::io::Write;
 
-/// What a part without faces is told.
-const NO_FACES: &str = "a disc lies alike on all its rim: it has no faces";
+/// A part that is thrown, as the command tells of it.
+trait Told: Thrown<Face: Serialize> {
+    /// Throws where nobody says how many.
+    const THROWS: u64;
+    /// Why there is nothing to tell of a part without faces.
+    const NO_FACES: &'static str;
+    /// How speed and spin go, after "speed" and "spin".
+    const WAYS: [&'static str; 2];
+    /// What the model leaves out.
+    const MODEL: &'static str;
+    /// What the columns of the table mean.
+    const NOTE: &'static str;
+    /// The faces as rows of a table, their heads first.
+    fn table(faces: &[Self::Face]) -> Vec<Vec<String>>;
+    /// The corners of a face, and its stance, as the page has them.
+    fn on_page(face: &Self::Face) -> (String, Option<[f64; 2]>);
+    /// Rows of faces that a text leaves out where there are many; the others are told.
+    fn is_minor(face: &Self::Face) -> bool;
+    /// The page with the part in it.
+    fn page(&self, found: &Poses, page: impl Fn(PoseBody<'_>) -> String) -> String;
+}
 
 pub(crate) fn faces(options: &FacesOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
-    let scene = Scene::read(&options.scene)?;
+    match AnyScene::read(&options.scene)? {
+        AnyScene::Plane(scene) => of_scene(&*scene, PartThrows::new, options, output, out),
+        AnyScene::Space(scene) => of_scene(&*scene, SolidThrows::new, options, output, out),
+    }
+}
+
+/// The wrong ones of height, speed and spin, by their place, and why.
+type Wrong = Vec<(usize, String)>;
+
+/// The faces of a scene's part, in the plane or in space.
+fn of_scene<'s, T: Told>(
+    scene: &'s T::Scene,
+    thrown: impl FnOnce(&'s T::Scene, usize, [&str; 3]) -> Result<T, Wrong>,
+    options: &FacesOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     let mut complaints = Complaints::of(Asker::Command);
-    let plate = plate(&scene, options.plate.as_deref(), &mut complaints);
+    let plate = plate(scene, options.plate.as_deref(), &mut complaints);
     let texts = [&options.height, &options.speed, &options.spin].map(String::as_str);
-    let throws = match PartThrows::new(&scene, plate, texts) {
+    let throws = match thrown(scene, plate, texts) {
         Ok(throws) => Some(throws),
         Err(wrong) => {
             let names = ["height", "speed", "spin"];
@@ -38,12 +77,12 @@ pub(crate) fn faces(options: &FacesOptions, output: &Output, out: &mut impl Writ
     complaints.finish()?;
     let Some(throws) = throws else { return Ok(()) };
     let name = scene.name();
-    if scene.feeder().part.body.shape.rests().is_empty() {
-        return Err(Failure::Undone(format!("{name}: {NO_FACES}")));
+    if throws.faces().is_empty() {
+        return Err(Failure::Undone(format!("{name}: {}", T::NO_FACES)));
     }
     let plan = Plan {
-        dimensions: PartThrows::DIMENSIONS,
-        throws: options.throws.div_ceil(REPETITIONS as u64),
+        dimensions: T::DIMENSIONS,
+        throws: options.throws.unwrap_or(T::THROWS).div_ceil(REPETITIONS as u64),
         seed: options.seed,
     };
     let progress = Progress::new("throws", Some(plan.rounded() as usize * REPETITIONS));
@@ -52,14 +91,26 @@ pub(crate) fn faces(options: &FacesOptions, output: &Output, out: &mut impl Writ
     let run = spent(found.throws as usize, progress.seconds());
     drop(progress);
     let report = FacesReport::new(&throws, &plan, &found, run);
-    let json = format!("{}\n", serde_json::to_string_pretty(&report)?);
+    deliver(&throws, &found, &report, options, output, out)
+}
+
+/// Writes everything and says what came out.
+fn deliver<T: Told>(
+    throws: &T,
+    found: &Poses,
+    report: &FacesReport<T::Face>,
+    options: &FacesOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let json = format!("{}\n", serde_json::to_string_pretty(report)?);
     match output.format {
-        Format::Text => out.write_all(text(&scene, &found, &report).as_bytes())?,
+        Format::Text => out.write_all(text(throws, found, report).as_bytes())?,
         Format::Json => out.write_all(json.as_bytes())?,
     }
-    let folder = output.folder(name);
+    let folder = output.folder(throws.scene().name());
     files::write(&folder, "faces.json", &json)?;
-    let path = files::write(&folder, "faces.html", &page(&scene, &found, &report))?;
+    let path = files::write(&folder, "faces.html", &page(throws, found, report))?;
     match output.format {
         Format::Text => writeln!(out, "page {}", path.display())?,
         // Stdout is the result's alone.
@@ -68,67 +119,58 @@ pub(crate) fn faces(options: &FacesOptions, output: &Output, out: &mut impl Writ
     if options.open { files::open(&path) } else { Ok(()) }
 }
 
-/// The faces of a part as rows of a table: lengths in millimetres, angles in degrees.
-pub(crate) fn table(faces: &[FaceReport]) -> Vec<Vec<String>> {
-    let heads =
-        ["face", "lies on", "width", "centre above", "inside the ends", "tips after", "tips onto it gently"];
-    let millimetres = |length: f64| fixed(1e3 * length, 2);
-    let row = |face: &FaceReport| {
-        let [first, second] = face.inside_m.map(millimetres);
-        let [clockwise, counter] = face.tips_after_rad.map(|angle| fixed(angle.to_degrees(), 1));
-        let arc = face.kind.0 == RestKind::Arc;
-        let dash = || "–".to_owned();
-        vec![
-            face.face.to_string(),
-            face.kind.to_string(),
-            if arc { dash() } else { format!("{} mm", millimetres(face.width_m)) },
-            format!("{} mm", millimetres(face.centre_height_m)),
-            if arc { dash() } else { format!("{first} | {second} mm") },
-            if face.stable { format!("{clockwise} | {counter} deg") } else { "does not stay".to_owned() },
-            format!("{} %", fixed(100.0 * face.quasi_static_share, 2)),
-        ]
-    };
-    std::iter::once(heads.map(str::to_owned).to_vec()).chain(faces.iter().map(row)).collect()
-}
+/// Faces in the table of a text: of more those are told that matter.
+const MOST_FACES: usize = 24;
 
-/// What the two numbers of a column mean.
-pub(crate) const TABLE_NOTE: &str = "two numbers: towards the end that comes first counter-clockwise and the other one; tilted clockwise and counter-clockwise\n\
-     tips onto it gently: the share of all attitudes from which it tips onto the face too slowly to swing on\n";
-
-fn text(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
+fn text<T: Told>(throws: &T, found: &Poses, report: &FacesReport<T::Face>) -> String {
     let mut text = verdict(&report.scene, found);
     if let Some(line) = without_way(found) {
         text.push_str(&line);
         text.push('\n');
     }
-    text.push_str(&format!("{}\n\n", varied(scene, report)));
-    let mut rows = table(&report.faces);
+    text.push_str(&format!("{}\n\n", varied(throws, report)));
+    let mut rows = T::table(&report.faces);
     rows[0].extend(["thrown", "95 % interval"].map(str::to_owned));
     for (row, end) in rows.iter_mut().skip(1).zip(&found.ends) {
         let [share, interval] = percent(&end.probability);
         row.extend([format!("{share} %"), interval]);
     }
+    let all = rows.len();
+    if all > MOST_FACES + 1 {
+        let is_told =
+            |face: usize| !T::is_minor(&report.faces[face]) || found.ends[face].probability.count > 0;
+        let numbered = rows.into_iter().enumerate();
+        rows = numbered.filter(|(row, _)| *row == 0 || is_told(row - 1)).map(|(_, row)| row).collect();
+    }
     text.push_str(&aligned(&rows));
+    if rows.len() < all {
+        let left = all - rows.len();
+        text.push_str(&format!(
+            "{left} more faces, on which it does not stay and no throw ends: --format json has them\n"
+        ));
+    }
     let others = found.ends.iter().filter(|end| !end.pose.is_face());
     for end in others {
         let [share, interval] = percent(&end.probability);
         text.push_str(&format!("{}: {share} % ({interval})\n", study::pose(end.pose)));
     }
-    text.push_str(TABLE_NOTE);
+    text.push_str(T::NOTE);
     text.push_str(&until_rest(found));
-    text.push_str(&notes(scene.notes()));
+    for approximation in &report.approximations {
+        text.push_str(&format!("\n{}\n", approximation.text));
+    }
+    text.push_str(&notes(throws.scene().notes()));
     text.push('\n');
     text
 }
 
 /// What varies from throw to throw, and what the part falls on.
-fn varied(scene: &Scene, report: &FacesReport) -> String {
-    let feeder = scene.feeder();
+fn varied<T: Told>(throws: &T, report: &FacesReport<T::Face>) -> String {
     let number = |value: f64| Dimension::Number.show_digits(value, 5);
-    let plate = feeder.plates.iter().position(|plate| plate.name == report.plate).unwrap_or(0);
+    let [speed, spin] = T::WAYS;
     format!(
-        "let go above level ground of the surface of {} (friction {}, restitution {}, {}), every attitude alike; height {}, speed {} to either side, spin {} in either sense; seed {}",
-        part::obstacle(feeder, plate),
+        "let go above level ground of the surface of {} (friction {}, restitution {}, {}), every attitude alike; height {}, speed {} {speed}, spin {} {spin}; seed {}",
+        part::obstacle(throws.scene().feeder(), throws.plate()),
         number(report.friction),
         number(report.restitution),
         report.law,
@@ -139,38 +181,41 @@ fn varied(scene: &Scene, report: &FacesReport) -> String {
     )
 }
 
-fn page(scene: &Scene, found: &Poses, report: &FacesReport) -> String {
-    let ends: Vec<PoseEnd> = found
-        .ends
-        .iter()
-        .map(|end| PoseEnd {
+fn page<T: Told>(throws: &T, found: &Poses, report: &FacesReport<T::Face>) -> String {
+    let end = |end: &Posed| {
+        let face = if let Pose::Face(face) = end.pose { report.faces.get(face) } else { None };
+        let (vertices, stance) = face.map(T::on_page).unwrap_or_default();
+        PoseEnd {
             name: study::pose(end.pose),
-            vertices: String::new(),
+            vertices,
             is_face: end.pose.is_face(),
             probability: end.probability,
             of_resting: end.of_resting,
-            stance: None,
+            stance,
             command: String::new(),
-        })
-        .collect();
+        }
+    };
+    let ends: Vec<PoseEnd> = found.ends.iter().map(end).collect();
+    let scene = throws.scene();
     let mut told: Vec<String> = without_way(found).into_iter().collect();
     told.push(sampling(found.throws, report.seed));
-    told.push(
-        "The model: plane motion, rigid part, level ground, dry friction after Coulomb; tolerances of the scene are not used. A part that rolls to and fro for ever, because nothing takes energy from it, counts as being on the face of that arc.".to_owned(),
-    );
+    told.push(T::MODEL.to_owned());
+    told.extend(report.approximations.iter().map(|approximation| approximation.text.clone()));
     told.extend(scene.notes().iter().cloned());
-    pose_report(&PoseFigure {
-        title: scene.name(),
-        verdict: &headline(found),
-        lead: &varied(scene, report),
-        notes: &told,
-        source: scene.source(),
-        made_by: MADE_BY,
-        body: PoseBody::Part(scene.feeder(), &draft(scene)),
-        ends: &ends,
-        resting: found.resting,
-        time: found.time.as_ref(),
-        strikes: found.impacts.as_ref(),
-        throws: found.throws,
+    throws.page(found, |body| {
+        pose_report(&PoseFigure {
+            title: scene.name(),
+            verdict: &headline(found),
+            lead: &varied(throws, report),
+            notes: &told,
+            source: scene.source(),
+            made_by: MADE_BY,
+            body,
+            ends: &ends,
+            resting: found.resting,
+            time: found.time.as_ref(),
+            strikes: found.impacts.as_ref(),
+            throws: found.throws,
+        })
     })
 }

@@ -25,6 +25,8 @@ pub(crate) enum SchemaOf {
     SpaceRun,
     /// The result of `carom faces --format json`.
     Faces,
+    /// The same of a scene with a solid part.
+    SpaceFaces,
     /// The result of `carom impact --format json`.
     Impact,
     /// The result of `carom contact --format json`.
@@ -77,6 +79,7 @@ pub(crate) fn schema(options: &SchemaOptions, output: &Output, out: &mut impl Wr
         SchemaOf::Run => ("run", schemas::run()),
         SchemaOf::SpaceRun => ("space-run", schemas::space_run()),
         SchemaOf::Faces => ("faces", schemas::faces()),
+        SchemaOf::SpaceFaces => ("space-faces", schemas::space_faces()),
         SchemaOf::Impact => ("impact", schemas::impact()),
         SchemaOf::Contact => ("contact", schemas::contact()),
         SchemaOf::Roll => ("roll", schemas::roll()),

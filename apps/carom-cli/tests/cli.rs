@@ -45,6 +45,8 @@ says! {
     draw_designer: ["draw", "designer.toml"], "";
     draw_as_json: ["draw", "case_1.toml", "--format", "json"], "";
     faces_of_a_bracket: ["faces", "bracket.toml", "--throws", "256", "--height", "50 ± 10 mm", "--spin", "5 rad/s"], "";
+    faces_of_a_solid: ["faces", "solid.toml", "--throws", "32", "--height", "5 mm", "--plate", "upper"], "";
+    faces_of_a_solid_with_problems: ["faces", "solid.toml", "--height", "3", "--speed", "-1 m/s", "--plate", "nine"], "";
     faces_of_a_disc: ["faces", "disc.toml"], "";
     faces_with_problems: ["faces", "bracket.toml", "--height", "3", "--speed", "-1 m/s", "--plate", "nine"], "";
     new_to_stdout: ["new", "-", "--plates", "3"], "";

@@ -165,6 +165,16 @@ results! {
 }
 
 #[test]
+fn faces_and_runs_in_space_are_as_their_schema() {
+    for (of, words) in [
+        ("space-faces", &["faces", "solid_bolt.toml", "--throws", "16", "--height", "1 mm"][..]),
+        ("space-run", &["run", "solid_bolt.toml"]),
+    ] {
+        are_as_their_schema(of, &[words]);
+    }
+}
+
+#[test]
 fn a_fault_is_found() {
     let schema = schema("regions");
     let odd = serde_json::json!({ "diagram": 3, "zebra": true, "labels": [{ "label": null }] });
@@ -177,7 +187,19 @@ fn a_fault_is_found() {
 #[test]
 fn schemas_are_objects() {
     for of in [
-        "scene", "run", "impact", "roll", "error", "map", "yield", "faces", "fit", "feed", "sweep", "design",
+        "scene",
+        "run",
+        "impact",
+        "roll",
+        "error",
+        "map",
+        "yield",
+        "faces",
+        "space-faces",
+        "fit",
+        "feed",
+        "sweep",
+        "design",
         "regions",
     ] {
         assert_eq!(schema(of)["type"], "object", "{of}");

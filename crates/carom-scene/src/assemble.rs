@@ -11,6 +11,7 @@ use crate::layout::{Placed, Yard, zigzag_plates};
 use crate::part::{Built, build_part};
 use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
+use crate::start::resting;
 use crate::surfaces::{contact_notes, surface_of};
 use crate::unit::Dimension;
 use carom_feeder::{Feed, Feeder, FeederProblem, Form, Part, PartKind, Plate, RunError, Start, Stop, Wall};
@@ -151,7 +152,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<Assembled, Vec<Problem>> {
         None
     });
     let Some(placed) = placed.into_iter().collect::<Option<Vec<Placed>>>() else { return Err(problems) };
-    let face = drawing.start.faces.usual(&built.part.body.shape);
+    let face = drawing.start.faces.usual(|| resting(&built.part.body.shape));
     let feeder = Feeder {
         gravity: drawing.gravity.value,
         stop: drawing.stop,
@@ -339,7 +340,8 @@ fn start_problems(start: &StartDrawing, part: &Part, first: &Placed, others: &[O
     }
     let faces = part.body.shape.rests().len().max(1);
     // Whichever face it starts on.
-    let shares = start.faces.shares(&part.body.shape).into_iter().filter(|(face, _)| *face < faces);
+    let shares =
+        start.faces.shares(|| resting(&part.body.shape)).into_iter().filter(|(face, _)| *face < faces);
     let poses: Vec<Pose> = shares.map(|(face, _)| pose_at_start(start, face, part, first)).collect();
     for other in others {
         let crossed =

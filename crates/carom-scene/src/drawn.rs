@@ -7,6 +7,7 @@ use crate::grammar::out_of_range;
 use crate::problem::{Problem, Problems};
 use crate::scene::{NamedQuantity, Scene, quantities};
 use crate::space::{SpaceScene, assemble as assemble_in_space};
+use crate::start::resting;
 use crate::visit::{canonical, unknown};
 use crate::wanted::Wanted;
 use carom_feeder::{Feeder, spatial};
@@ -168,7 +169,7 @@ impl Drawn for Scene {
     }
 
     fn start_faces(&self) -> Vec<(usize, f64)> {
-        self.drawing().start.faces.shares(&self.feeder().part.body.shape)
+        self.drawing().start.faces.shares(|| resting(&self.feeder().part.body.shape))
     }
 
     fn face_span(&self) -> Option<Range<usize>> {
@@ -243,7 +244,7 @@ impl Drawn for SpaceScene {
     }
 
     fn start_faces(&self) -> Vec<(usize, f64)> {
-        self.drawing().start.faces.numbered()
+        self.drawing().start.faces.shares(|| self.resting())
     }
 
     fn face_span(&self) -> Option<Range<usize>> {

@@ -102,7 +102,7 @@ pub use design_space::DesignSpace;
 pub use drag::{Grip, Hold, Snap};
 pub use drawing::{Design, Free, Side, Want};
 pub use drawn::Drawn;
-pub use face_report::FaceReport;
+pub use face_report::{FaceReport, SolidFaceReport};
 pub use feed_report::*;
 pub use feed_study_report::*;
 pub use fields::Field;
@@ -132,7 +132,7 @@ pub use line_error::{LineError, LineProblem, LineProblems};
 pub use located_report::*;
 pub use map_report::*;
 pub use measures::{Measure, MeasureAxis};
-pub use part_throws::{FacesReport, PartEndReport, PartThrows};
+pub use part_throws::{FacesReport, PartEndReport, PartThrows, Thrown};
 pub use problem::{Problem, ProblemKind, Problems};
 pub use regions_report::*;
 pub use roll::spatial::{
@@ -152,7 +152,7 @@ pub use run_impact_report::*;
 pub use run_report::*;
 pub use scene::{NamedQuantity, Scene};
 pub use space::{
-    AnyScene, SolidFaceReport, SpaceContactReport, SpaceExitReport, SpaceImpactReport, SpaceRunReport,
+    AnyScene, SolidThrows, SpaceContactReport, SpaceExitReport, SpaceImpactReport, SpaceRunReport,
     SpaceScene, SpaceStageReport, SpaceStateReport,
 };
 pub use suggest::nearest;

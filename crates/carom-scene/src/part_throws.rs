@@ -1,5 +1,7 @@
 //! Throws of a part on level ground: on which face it comes to a feeder that nothing sorts before.
 
+use crate::approximation::Approximation;
+use crate::drawn::Drawn;
 use crate::face_report::FaceReport;
 use crate::grammar::kind::{LENGTH_OR_NONE, SPEED, SPIN_RATE};
 use crate::grammar::read_quantity;
@@ -14,6 +16,7 @@ use carom_motion::planar::{Obstacle, Options, Pose as Place, State, Twist, World
 use carom_num::Vec2;
 use carom_study::poses::{Plan, Pose, Poses, PosesError, sample, thrown_in_plane};
 use carom_words::Words;
+use carom_words::part::Names;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -21,12 +24,64 @@ use std::f64::consts::TAU;
 /// Half the ground, in sizes of the part: what slides farther runs off it, and is said to move still.
 const GROUND: f64 = 1e3;
 
-/// A part that is thrown on level ground, in any attitude.
+/// A part that is thrown on level ground, in the plane or in space, in any attitude.
+///
+/// # Example
+/// A rod has two faces, and lies on either.
+/// ```
+/// use carom_scene::{PartThrows, Scene, Thrown};
+/// let scene = Scene::read("../../examples/case_2.toml".as_ref())?;
+/// let throws = PartThrows::new(&scene, 0, ["50 mm", "0 m/s", "0 rad/s"]).unwrap();
+/// assert_eq!((throws.faces().len(), throws.ranges()[0].value), (2, 0.05));
+/// # Ok::<(), carom_scene::Problems>(())
+/// ```
+pub trait Thrown: Sync {
+    /// What the part is of.
+    type Scene: Drawn;
+    /// What is said of one of its faces.
+    type Face;
+    /// Coordinates of a throw.
+    const DIMENSIONS: usize;
+    /// What the part is of.
+    fn scene(&self) -> &Self::Scene;
+    /// The plate whose surface the ground has.
+    fn plate(&self) -> usize;
+    /// Friction and restitution of the ground.
+    fn surface(&self) -> (f64, f64);
+    /// Height of the lowest point above the ground \[m\], level speed [m/s] and spin [rad/s].
+    fn ranges(&self) -> [&Quantity; 3];
+    /// The faces of the part, by their numbers.
+    fn faces(&self) -> Vec<Self::Face>;
+    /// Throws the part; `done` is called after every throw. Every face is in the result, whether a throw comes to rest on it or not.
+    ///
+    /// # Errors
+    /// [`PosesError`].
+    fn throws(&self, plan: &Plan, done: impl Fn() + Sync) -> Result<Poses, PosesError>;
+}
+
+/// Reads height, speed and spin rate.
+///
+/// # Errors
+/// Which of the texts are wrong, by their place, and why.
+pub(crate) fn read_ranges(texts: [&str; 3]) -> Result<[Quantity; 3], Vec<(usize, String)>> {
+    let mut wrong = vec![];
+    let mut read = |place: usize, kind: Kind| {
+        let node = Node { value: Value::Text(texts[place].to_owned()), span: 0..0 };
+        let found = read_quantity("", &node, kind, None);
+        let told =
+            found.map_err(|list| wrong.extend(list.into_iter().map(|problem| (place, problem.message))));
+        told.unwrap_or_else(|()| Quantity::default_of(0.0, kind))
+    };
+    let ranges = [read(0, LENGTH_OR_NONE), read(1, SPEED), read(2, SPIN_RATE)];
+    if wrong.is_empty() { Ok(ranges) } else { Err(wrong) }
+}
+
+/// A part that is thrown on level ground in the plane, in any attitude.
 ///
 /// # Example
 /// A bar of 40 mm × 20 mm that is let go just above the ground lies on a long side in three throws of four.
 /// ```
-/// use carom_scene::{PartThrows, Scene};
+/// use carom_scene::{PartThrows, Scene, Thrown};
 /// use carom_study::poses::{Plan, Pose};
 /// let text = "[part]\nshape = \"box\"\nlength = \"40 mm\"\nheight = \"20 mm\"\nmass = 0.1\n[[plate]]\nslope = \"20 deg\"\n[contact]\nfriction = 0.4\nrestitution = 0\n[start]\nto_edge = 0.2\n";
 /// let scene = Scene::parse("bar.toml", text)?;
@@ -52,27 +107,13 @@ pub struct PartThrows<'s> {
 }
 
 impl<'s> PartThrows<'s> {
-    /// Coordinates of a throw: attitude, height, speed and its sense, spin and its sense.
-    pub const DIMENSIONS: usize = 6;
-
     /// Throws of the part of a scene on ground of the surface of one of its plates. `texts` are height, speed and spin rate, each with unit and perhaps
     /// a tolerance: `50 ± 10 mm`.
     ///
     /// # Errors
     /// Which of the texts are wrong, by their place, and why.
     pub fn new(scene: &'s Scene, plate: usize, texts: [&str; 3]) -> Result<Self, Vec<(usize, String)>> {
-        let mut wrong = vec![];
-        let mut read = |place: usize, kind: Kind| {
-            let node = Node { value: Value::Text(texts[place].to_owned()), span: 0..0 };
-            let found = read_quantity("", &node, kind, None);
-            let told =
-                found.map_err(|list| wrong.extend(list.into_iter().map(|problem| (place, problem.message))));
-            told.unwrap_or_else(|()| Quantity::default_of(0.0, kind))
-        };
-        let (height, speed, spin_rate) = (read(0, LENGTH_OR_NONE), read(1, SPEED), read(2, SPIN_RATE));
-        if !wrong.is_empty() {
-            return Err(wrong);
-        }
+        let [height, speed, spin_rate] = read_ranges(texts)?;
         let feeder = scene.feeder();
         let surface = feeder.plates.get(plate).map_or((0.0, 0.0), |p| (p.friction, p.restitution));
         let body = feeder.part.body.clone();
@@ -80,16 +121,6 @@ impl<'s> PartThrows<'s> {
         let ground = Obstacle::new(-half, half, surface.0, surface.1);
         let world = World::of_one(Vec2::new(0.0, -feeder.gravity), body, vec![ground], feeder.law);
         Ok(Self { scene, plate, world, height, speed, spin_rate })
-    }
-
-    /// Throws the part; `done` is called after every throw. Every face is in the result, whether a throw comes to rest on it or not.
-    ///
-    /// # Errors
-    /// [`PosesError`].
-    pub fn throws(&self, plan: &Plan, done: impl Fn() + Sync) -> Result<Poses, PosesError> {
-        let options = Options::default();
-        let faces: Vec<usize> = (0..self.world.bodies[0].shape.rests().len()).collect();
-        sample(plan, |point| thrown_in_plane((&self.world, &options), &self.release(point)), &faces, done)
     }
 
     /// The start of the throw at a point of the unit cube: every attitude is as probable as any other, and so is either sense of speed and spin.
@@ -102,6 +133,40 @@ impl<'s> PartThrows<'s> {
         let velocity = Vec2::new(either(to_the_left, self.speed.at(speed)), 0.0);
         let spin = either(backward, self.spin_rate.at(rate));
         State { pose: Place { centre, ..turned }, twist: Twist { velocity, spin } }
+    }
+}
+
+impl Thrown for PartThrows<'_> {
+    type Scene = Scene;
+    type Face = FaceReport;
+    /// Attitude, height, speed and its sense, spin and its sense.
+    const DIMENSIONS: usize = 6;
+
+    fn scene(&self) -> &Scene {
+        self.scene
+    }
+
+    fn plate(&self) -> usize {
+        self.plate
+    }
+
+    fn surface(&self) -> (f64, f64) {
+        let ground = &self.world.obstacles[0];
+        (ground.friction, ground.restitution)
+    }
+
+    fn ranges(&self) -> [&Quantity; 3] {
+        [&self.height, &self.speed, &self.spin_rate]
+    }
+
+    fn faces(&self) -> Vec<FaceReport> {
+        FaceReport::of(&self.world.bodies[0].shape)
+    }
+
+    fn throws(&self, plan: &Plan, done: impl Fn() + Sync) -> Result<Poses, PosesError> {
+        let options = Options::default();
+        let faces: Vec<usize> = (0..self.world.bodies[0].shape.rests().len()).collect();
+        sample(plan, |point| thrown_in_plane((&self.world, &options), &self.release(point)), &faces, done)
     }
 }
 
@@ -118,17 +183,21 @@ pub struct PartEndReport {
     pub of_resting: Option<ProbabilityReport>,
 }
 
-/// The faces of a part, and on which of them it comes to rest when it is thrown.
+/// The faces of a part, and on which of them it comes to rest when it is thrown: of a part in the plane, or of a solid one with
+/// [`SolidFaceReport`](crate::SolidFaceReport).
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom faces")]
-pub struct FacesReport {
+pub struct FacesReport<Face = FaceReport> {
     /// Name of the scene.
     pub scene: String,
     /// What was read from the part's file, taken from tables, or assumed; absent where there is nothing to say.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
+    /// How the computed part differs from the drawn one; absent where it does not.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub approximations: Vec<Approximation>,
     /// The faces, by their numbers.
-    pub faces: Vec<FaceReport>,
+    pub faces: Vec<Face>,
     /// The plate whose surface the ground has.
     pub plate: String,
     /// Friction of the ground.
@@ -160,11 +229,12 @@ pub struct FacesReport {
     pub run: StudyRunReport,
 }
 
-impl FacesReport {
+impl<Face> FacesReport<Face> {
     /// The report of a sampling.
-    pub fn new(throws: &PartThrows<'_>, plan: &Plan, found: &Poses, run: StudyRunReport) -> Self {
-        let (world, feeder) = (&throws.world, throws.scene.feeder());
-        let ground = &world.obstacles[0];
+    pub fn new(throws: &impl Thrown<Face = Face>, plan: &Plan, found: &Poses, run: StudyRunReport) -> Self {
+        let scene = throws.scene();
+        let [height, speed, spin_rate] = throws.ranges();
+        let (friction, restitution) = throws.surface();
         let ends = found.ends.iter().map(|posed| PartEndReport {
             end: PoseWord(posed.pose),
             face: if let Pose::Face(face) = posed.pose { Some(face) } else { None },
@@ -172,16 +242,17 @@ impl FacesReport {
             of_resting: posed.of_resting.map(Into::into),
         });
         Self {
-            scene: throws.scene.name().to_owned(),
-            notes: throws.scene.notes().to_vec(),
-            faces: FaceReport::of(&world.bodies[0].shape),
-            plate: feeder.obstacle_name(throws.plate).to_owned(),
-            friction: ground.friction,
-            restitution: ground.restitution,
-            law: feeder.law.word(),
-            height_m: (&throws.height).into(),
-            speed_m_s: (&throws.speed).into(),
-            spin_rate_rad_s: (&throws.spin_rate).into(),
+            scene: scene.name().to_owned(),
+            notes: scene.notes().to_vec(),
+            approximations: scene.approximations().to_vec(),
+            faces: throws.faces(),
+            plate: scene.feeder().given(throws.plate()).to_owned(),
+            friction,
+            restitution,
+            law: scene.law().word(),
+            height_m: height.into(),
+            speed_m_s: speed.into(),
+            spin_rate_rad_s: spin_rate.into(),
             throws: found.throws,
             seed: plan.seed,
             ends: ends.collect(),

@@ -1,6 +1,7 @@
 //! JSON Schemas of what Carom reads and writes.
 
 use crate::design_report::DesignReport;
+use crate::face_report::SolidFaceReport;
 use crate::feed_study_report::FeedStudyReport;
 use crate::fit_report::FitReport;
 use crate::force_report::ForceAnswerReport;
@@ -46,6 +47,20 @@ pub fn scene() -> Schema {
 /// ```
 pub fn faces() -> Schema {
     of::<FacesReport>()
+}
+
+/// Of the faces of a solid part and its throws.
+///
+/// # Example
+/// ```
+/// let schema = carom_scene::schema::space_faces().to_value();
+/// assert_eq!(schema["title"], "carom faces: in space");
+/// assert!(schema["$defs"].as_object().unwrap().contains_key("SolidFaceReport"));
+/// ```
+pub fn space_faces() -> Schema {
+    let mut schema = of::<FacesReport<SolidFaceReport>>();
+    schema.insert("title".to_owned(), "carom faces: in space".into());
+    schema
 }
 
 /// Of the result of a run in space.

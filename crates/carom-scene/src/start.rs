@@ -5,6 +5,7 @@ use crate::drawn::Drawn;
 use crate::grammar::{Mixed, Section};
 use crate::node::Value;
 use crate::problem::{Problem, ProblemKind};
+use crate::tolerance::EQUAL_SHARES;
 use carom_motion::planar::Shape;
 
 carom_words::words! {
@@ -85,15 +86,15 @@ impl FaceMix {
 }
 
 impl StartFaces {
-    /// Each face on which a part of this shape may start, and its share of all; the shares sum to 1.
-    pub(crate) fn shares(&self, shape: &Shape) -> Vec<(usize, f64)> {
+    /// Each face on which a part may start, and its share of all; the shares sum to 1. `resting` tells, face by face, with what share a part comes to rest there that is let
+    /// go gently; nothing of a part that lies alike on all its rim.
+    pub(crate) fn shares(&self, resting: impl FnOnce() -> Vec<f64>) -> Vec<(usize, f64)> {
         let shares: Vec<(usize, f64)> = match self {
             Self::One(face) => vec![(*face, 1.0)],
             Self::Mixed(shares) => shares.clone(),
             Self::Resting => {
-                let rests = shape.rests();
-                let stable = rests.iter().enumerate().filter(|(_, rest)| rest.share() > 0.0);
-                let found: Vec<(usize, f64)> = stable.map(|(face, rest)| (face, rest.share())).collect();
+                let found: Vec<(usize, f64)> =
+                    resting().into_iter().enumerate().filter(|(_, share)| *share > 0.0).collect();
                 // A disc lies the same on all its rim.
                 if found.is_empty() { vec![(0, 1.0)] } else { found }
             }
@@ -102,20 +103,9 @@ impl StartFaces {
         shares.into_iter().map(|(face, share)| (face, share / all)).collect()
     }
 
-    /// The same of faces that are numbered, each with its share.
-    pub(crate) fn numbered(&self) -> Vec<(usize, f64)> {
-        let shares = match self {
-            Self::One(face) => vec![(*face, 1.0)],
-            Self::Mixed(shares) => shares.clone(),
-            Self::Resting => vec![],
-        };
-        let all: f64 = shares.iter().map(|(_, share)| share).sum();
-        shares.into_iter().map(|(face, share)| (face, share / all)).collect()
-    }
-
     /// The face on which the part starts where it is dropped once: the most probable one.
-    pub(crate) fn usual(&self, shape: &Shape) -> usize {
-        most_probable(&self.shares(shape))
+    pub(crate) fn usual(&self, resting: impl FnOnce() -> Vec<f64>) -> usize {
+        most_probable(&self.shares(resting))
     }
 
     /// What is wrong with them for a part that has so many faces.
@@ -146,7 +136,14 @@ impl StartFaces {
     }
 }
 
+/// The shares with which a shape comes to rest on what it can lie on, where it is let go gently.
+pub(crate) fn resting(shape: &Shape) -> Vec<f64> {
+    shape.rests().iter().map(carom_motion::planar::Rest::share).collect()
+}
+
 /// The face with the largest share; of equally probable ones the first.
-pub(crate) fn most_probable(shares: &[(usize, f64)]) -> usize {
-    shares.iter().rev().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(face, _)| *face)
+fn most_probable(shares: &[(usize, f64)]) -> usize {
+    let most = shares.iter().map(|(_, share)| *share).fold(0.0, f64::max);
+    let first = shares.iter().find(|(_, share)| *share >= most * (1.0 - EQUAL_SHARES));
+    first.map_or(0, |(face, _)| *face)
 }

@@ -48,3 +48,5 @@ pub(crate) const ARC_RADII: f64 = 1e-3;
 pub(crate) const STRAIGHT_ARC: f64 = 1e-9;
 /// Unit normals that differ by less than this are of one face.
 pub(crate) const ONE_FACE: f64 = 1e-6;
+/// Shares of faces that differ by less than this part of themselves are equal: faces that are alike are seen alike but for the rounding of solid angles.
+pub(crate) const EQUAL_SHARES: f64 = 1e-12;

@@ -22,6 +22,7 @@ mod random_layouts;
 mod refusals;
 mod roll;
 mod run_report;
+mod solid_faces;
 mod space;
 mod starts;
 mod truncated;

@@ -54,7 +54,7 @@ fn all_problems_of_a_scene_are_told() {
         friction = -1
         [start]
         to_edge = "100 mm"
-        face = "resting"
+        face = "restin"
         [[plate]]
         slope = "15 deg"
         side_walls = "10 mm"

@@ -14,6 +14,7 @@ use super::scene_studies::DESIGN;
 use super::{Foreign, Holds, Inherited, Rule, Table, Tables, When, key};
 use crate::part_drawing::SolidWord;
 use crate::problem::ProblemKind;
+use crate::start::StartWord;
 use carom_words::Words;
 
 pub(super) static SPACE_ROOT: Table = Table {
@@ -160,8 +161,12 @@ static SPACE_START: Table = Table::plain(
         START_SPEED,
         key(
             "face",
-            Holds::Either(&[Holds::Number(FACE), FACE_SHARES]),
-            "Number of the face on which the part lies at the start, as `carom run` numbers them; or a list of faces, each with its share of all parts: a single drop starts on the most probable one, `carom yield` on all of them.",
+            Holds::Either(&[
+                Holds::Number(FACE),
+                Holds::Words(StartWord::words),
+                FACE_SHARES,
+            ]),
+            "Number of the face on which the part lies at the start, as `carom faces` numbers them; or a list of faces, each with its share of all parts; or `resting`: each face with the share of those parts that come to rest on it when they are let go without speed, turned at random. A single drop starts on the most probable one, `carom yield` on all of them.",
         )
         .or(0.0),
         key(

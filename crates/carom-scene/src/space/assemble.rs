@@ -1,5 +1,6 @@
 //! From a drawing to a feeder in space.
 
+use super::rests::{rests, shares};
 use crate::approximation::Approximation;
 use crate::assemble::{crossing_notes, engine_problems, laid_out, plate as flat_plate, walls as flat_walls};
 use crate::drawing::{Drawing, MassSpec, Outline, PlateDrawing, Want};
@@ -8,7 +9,6 @@ use crate::problem::{Problem, ProblemKind};
 use crate::quantity::Quantity;
 use crate::roll::spatial::ThrownShape;
 use crate::scene::quantities;
-use crate::start::most_probable;
 use crate::surfaces::{contact_notes, surface_of};
 use crate::tolerance::ONE_FACE;
 use crate::unit::Dimension;
@@ -45,12 +45,13 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
     let plates =
         drawn.iter().zip(&placed).map(|(drawn, placed)| wide(drawn, flat_plate(drawing, drawn, placed)));
     let value = |quantity: &Option<Quantity>| quantity.as_ref().map_or(0.0, |quantity| quantity.value);
+    let centre = solid.centre.unwrap_or(solid.shape.solid.centre);
     let start = Start {
         to_edge: drawing.start.to_edge.value,
         aside: value(&drawing.start.aside),
         turn: value(&drawing.start.turn),
         speed: drawing.start.speed.value,
-        face: most_probable(&drawing.start.faces.numbered()),
+        face: drawing.start.faces.usual(|| shares(&part, &solid.shape, centre)),
     };
     let feeder = Feeder {
         gravity: drawing.gravity.value,
@@ -70,7 +71,7 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
         return Err(problems);
     }
     let wants = drawn.iter().map(|plate| plate.want).collect();
-    let (shape, centre) = (solid.shape.clone(), solid.centre.unwrap_or(solid.shape.solid.centre));
+    let shape = solid.shape.clone();
     let approximations = hull_of(&shape);
     let mut notes = contact_notes(drawing);
     notes.extend(crossing_notes(&feeder));
@@ -148,8 +149,9 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
         });
     }
     let least = part.faces.iter().min_by(|a, b| a.depth.total_cmp(&b.depth));
-    if let Some(face) = least.filter(|face| face.depth <= 0.0) {
-        let out = Dimension::Length.show(-face.depth);
+    let is_on_surface = || rests(&part, &solid.shape, centre).is_empty();
+    if let Some(face) = least.filter(|face| face.depth <= 0.0 || is_on_surface()) {
+        let out = Dimension::Length.show((-face.depth).max(0.0));
         return Err(vec![problem(
             "part.centre",
             format!("is {out} outside the hull: no body has its mass centre there"),

@@ -3,12 +3,16 @@
 mod assemble;
 mod read;
 mod report;
+mod rests;
+mod throws;
 
 pub(crate) use read::{is_in_space, read_solid, refused_in_the_plane};
 pub use report::{
-    SolidFaceReport, SpaceContactReport, SpaceExitReport, SpaceImpactReport, SpaceRunReport,
-    SpaceStageReport, SpaceStateReport,
+    SpaceContactReport, SpaceExitReport, SpaceImpactReport, SpaceRunReport, SpaceStageReport,
+    SpaceStateReport,
 };
+
+pub use throws::SolidThrows;
 
 use crate::approximation::Approximation;
 use crate::drawing::{Drawing, Want};

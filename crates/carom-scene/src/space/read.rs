@@ -21,7 +21,7 @@ pub(crate) fn is_in_space(root: &Section<'_>) -> bool {
 /// What is said of a scene in space to whoever asks what is known of scenes in the plane alone.
 pub(crate) fn refused_in_the_plane(tree: &Node) -> Option<Problem> {
     is_solid(tree).then(|| {
-        let message = "is a solid: only `carom run`, `carom yield`, `carom map`, `carom sweep` and `carom design` follow parts in space so far";
+        let message = "is a solid: only `carom run`, `carom faces`, `carom draw`, `carom yield`, `carom map`, `carom sweep` and `carom design` follow parts in space so far";
         let span = match &tree.value {
             Value::Table(entries) => {
                 entries.iter().find(|entry| entry.key == "part").map(|e| e.key_span.clone())

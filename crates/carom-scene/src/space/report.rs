@@ -2,14 +2,14 @@
 
 use super::SpaceScene;
 use crate::approximation::Approximation;
+use crate::face_report::SolidFaceReport;
 use crate::run_end_report::{JamReport, StageEndReport, jam_report, stage_end_report};
 use crate::run_report::{AccumulationReport, Limit, PlateReport, WorkReport, landing_report};
-use crate::tolerance::ONE_FACE;
 use crate::wanted::Wanted;
 use crate::word::Word;
 use carom_feeder::spatial::{Exit, Feeder, Run};
 use carom_feeder::{Outcome, Stage, StageName};
-use carom_motion::spatial::{Impact, Stance, State, Touch};
+use carom_motion::spatial::{Impact, State, Touch};
 use carom_num::Vec3;
 use carom_words::part::Names;
 use carom_words::run as run_words;
@@ -71,21 +71,6 @@ pub struct SpaceRunReport {
     pub forks: u64,
     /// Deterministic counts of the work done.
     pub work: WorkReport,
-}
-
-/// A face of the part's hull.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SolidFaceReport {
-    /// Its number.
-    pub face: usize,
-    /// Its corners, by their numbers, counter-clockwise as seen from outside.
-    pub corners: Vec<usize>,
-    /// Unit normal, outwards, in the part's axes.
-    pub normal: [f64; 3],
-    /// Height of the mass centre above it [m].
-    pub centre_height_m: f64,
-    /// How far inside the face the mass centre's projection is [m]: the part can rest on it on level ground where this is positive.
-    pub margin_m: f64,
 }
 
 /// Place, attitude and motion.
@@ -208,7 +193,7 @@ impl SpaceRunReport {
             wanted: scene.wanted(run),
             exit: run.exit.as_ref().map(SpaceExitReport::from),
             jam: run.jam.as_ref().map(|jam| jam_report(feeder, jam)),
-            faces: faces(scene),
+            faces: SolidFaceReport::of(scene),
             stages: run.stages.iter().map(|stage| stage_report(feeder, stage)).collect(),
             impacts: strikes.map(impact).collect(),
             accumulations: run
@@ -226,27 +211,6 @@ impl SpaceRunReport {
             },
         }
     }
-}
-
-/// The faces of the part, and how it stands on each.
-fn faces(scene: &SpaceScene) -> Vec<SolidFaceReport> {
-    let part = &scene.feeder().part;
-    let (hull, centre) = (&scene.shape().hull, scene.mass_centre());
-    // Faces of a box are numbered in another order than those of its hull.
-    let in_hull =
-        |normal: Vec3| hull.faces().iter().position(|face| (face.normal - normal).norm() < ONE_FACE);
-    let margin = |normal: Vec3| {
-        let stance = in_hull(normal).and_then(|face| hull.stance(face, centre));
-        stance.map_or(0.0, |Stance { margin, .. }| margin)
-    };
-    let report = |(face, of): (usize, &carom_feeder::spatial::Face)| SolidFaceReport {
-        face,
-        corners: of.corners.clone(),
-        normal: of.normal.to_array(),
-        centre_height_m: of.depth,
-        margin_m: margin(of.normal),
-    };
-    part.faces.iter().enumerate().map(report).collect()
 }
 
 fn contacts(

@@ -81,7 +81,7 @@ pub struct Thrown {
 
 impl Thrown {
     /// It could not be followed.
-    const LOST: Self = Self { pose: Pose::Failed, time: 0.0, impacts: 0 };
+    pub const LOST: Self = Self { pose: Pose::Failed, time: 0.0, impacts: 0 };
 }
 
 /// A throw with the repetition that it is of, and its number there.

@@ -1,5 +1,6 @@
 //! What is said of a polyhedron that is thrown: its mass, its faces, and on which it rests.
 
+use super::throws::face_of;
 use super::{SpatialRollProblem, SpatialRollRun, ThrownBody};
 use crate::tolerance::BALANCED;
 use carom_motion::spatial::{End, Face, Stance, State, Supports};
@@ -94,8 +95,7 @@ pub struct RestingReport {
 impl ThrownBody {
     /// Which face a body rests on that holds these supports; `None` where they belong to no face together.
     pub fn face_of(&self, held: Supports) -> Option<usize> {
-        let on = |corners: &[usize]| corners.iter().copied().collect::<Supports>();
-        self.shape.hull.faces().iter().position(|face| held.difference(on(&face.corners)).is_empty())
+        face_of(self.shape.hull.faces().iter().map(|face| &face.corners[..]), held)
     }
 }
 

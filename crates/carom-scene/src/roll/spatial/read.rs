@@ -14,7 +14,7 @@ use carom_num::Vec3;
 use std::path::Path;
 
 /// Falls through the body's size for which a body is followed.
-const FALLS: f64 = 400.0;
+pub(super) const FALLS: f64 = 400.0;
 
 pub(super) fn parse(
     kind: SpatialRollKind,

@@ -2,8 +2,9 @@
 
 use super::body::{Throw, released};
 use super::follow::MOST_STRIKES;
-use super::{SpatialRollProblem, ThrownBody};
-use carom_motion::spatial::{Options, State};
+use super::read::FALLS;
+use super::{MOST_STEPS, SpatialRollProblem};
+use carom_motion::spatial::{Body, Options, State, Supports, World};
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
 use carom_study::poses::{Plan, Poses, PosesError, attitude, direction, sample, thrown_in_space};
@@ -42,21 +43,14 @@ impl SpatialRollProblem {
     /// The start of the throw at a point of the unit cube of [`THROW_DIMENSIONS`] coordinates: every attitude and every axis of the spin is as probable as any other, height, speed and
     /// spin rate are within their tolerances; the speed is horizontal. Where no body is thrown, the start as written.
     pub fn release(&self, point: &[f64]) -> State {
-        let (Some(ThrownBody { throw, .. }), [a, b, c, height, speed, rate, d, e]) = (&self.thrown, point)
-        else {
-            return self.start;
-        };
-        let Throw { rise, .. } = *throw;
-        let velocity = Vec3::new(throw.speed.at(*speed), 0.0, rise);
-        let spin = direction([*d, *e]) * throw.spin_rate.at(*rate);
-        released(self.world.body(), attitude([*a, *b, *c]), throw.height.at(*height), velocity, spin)
+        let throw = self.thrown.as_ref().map(|thrown| &thrown.throw);
+        throw.and_then(|throw| throw.release(self.world.body(), point)).unwrap_or(self.start)
     }
 
     /// The body at rest on one of its faces; `None` where there is no such face.
     pub fn resting_on(&self, face: usize) -> Option<State> {
         let normal = self.thrown.as_ref()?.shape.hull.faces().get(face)?.normal;
-        let body = self.world.body();
-        Some(released(body, turned_down(normal), 0.0, Vec3::ZERO, Vec3::ZERO))
+        Some(lying(self.world.body(), normal))
     }
 
     /// The overrides that make a body start there: `--set` each of them.
@@ -73,6 +67,37 @@ impl SpatialRollProblem {
             format!("spin={}", list(start.spin)),
         ]
     }
+}
+
+impl Throw {
+    /// The start of the throw of a body at a point of the unit cube of [`THROW_DIMENSIONS`] coordinates; `None` at a point of another one.
+    pub(crate) fn release(&self, body: &Body, point: &[f64]) -> Option<State> {
+        let &[a, b, c, height, speed, rate, d, e] = point else { return None };
+        let velocity = Vec3::new(self.speed.at(speed), 0.0, self.rise);
+        let spin = direction([d, e]) * self.spin_rate.at(rate);
+        Some(released(body, attitude([a, b, c]), self.height.at(height), velocity, spin))
+    }
+}
+
+/// A body at rest on the plane, with this normal of its downwards.
+pub(crate) fn lying(body: &Body, normal: Vec3) -> State {
+    released(body, turned_down(normal), 0.0, Vec3::ZERO, Vec3::ZERO)
+}
+
+/// How long a throw is followed that says nothing else.
+pub(crate) fn options_of_throws(world: &World) -> Options {
+    Options {
+        most_time: FALLS * world.scales().time,
+        most_steps: MOST_STEPS,
+        most_impacts: u64::from(MOST_STRIKES),
+        ..Options::default()
+    }
+}
+
+/// Which of some faces, each given by its corners, a body rests on that holds these supports; `None` where they belong to no face together.
+pub(crate) fn face_of<'a>(mut faces: impl Iterator<Item = &'a [usize]>, held: Supports) -> Option<usize> {
+    let on = |corners: &[usize]| corners.iter().copied().collect::<Supports>();
+    faces.position(|corners| held.difference(on(corners)).is_empty())
 }
 
 /// The shortest turn that brings a direction of the body down.
