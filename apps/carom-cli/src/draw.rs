@@ -1,5 +1,7 @@
 //! `carom draw`: what a scene draws, without running it.
 
+mod space;
+
 use crate::args::{Format, Output};
 use crate::failure::Failure;
 use crate::printed::{notes, tell};
@@ -7,7 +9,7 @@ use crate::{faces, files, pipeline};
 use carom_feeder::Form;
 use carom_figure::senses::slope;
 use carom_num::Vec2;
-use carom_scene::{Approximation, FaceReport, Scene, unit::Dimension};
+use carom_scene::{AnyScene, Approximation, FaceReport, Scene, unit::Dimension};
 use carom_words::aligned;
 use carom_words::part;
 use clap::Args;
@@ -136,38 +138,65 @@ fn layout(scene: &Scene) -> Layout {
 }
 
 pub(crate) fn draw(options: &DrawOptions, output: &Output, out: &mut impl Write) -> Result<(), Failure> {
-    let scene = Scene::read(&options.scene)?;
-    let layout = layout(&scene);
+    match AnyScene::read(&options.scene)? {
+        AnyScene::Plane(scene) => in_the_plane(&scene, options, output, out),
+        AnyScene::Space(scene) => space::draw(&scene, options, output, out),
+    }
+}
+
+fn in_the_plane(
+    scene: &Scene,
+    options: &DrawOptions,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let layout = layout(scene);
     let folder = output.folder(scene.name());
-    let path = files::write(&folder, "layout.svg", &pipeline::layout(&scene))?;
+    let path = files::write(&folder, "layout.svg", &pipeline::layout(scene))?;
     let mut written = format!("drawing {}\n", path.display());
-    for (name, drawing) in pipeline::drawings(&scene) {
+    for (name, drawing) in pipeline::drawings(scene) {
         let path = files::write(&folder, name, &drawing)?;
         written.push_str(&format!("1:1     {}\n", path.display()));
     }
     if options.simulators {
-        for (name, text) in carom::tasks::simulator_files(&scene) {
+        for (name, text) in carom::tasks::simulator_files(scene) {
             let path = files::write(&folder, &name, &text)?;
             written.push_str(&format!("model   {}\n", path.display()));
         }
     }
+    deliver(&layout, text, &written, output, out)?;
+    if options.open { files::open(&path) } else { Ok(()) }
+}
+
+/// Says what is laid out, and which files were written.
+fn deliver<L: Serialize>(
+    layout: &L,
+    text: impl FnOnce(&L) -> String,
+    written: &str,
+    output: &Output,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     match output.format {
         Format::Text => {
-            out.write_all(text(&layout).as_bytes())?;
+            out.write_all(text(layout).as_bytes())?;
             write!(out, "\n{written}")?;
         }
         Format::Json => {
-            writeln!(out, "{}", serde_json::to_string_pretty(&layout)?)?;
+            writeln!(out, "{}", serde_json::to_string_pretty(layout)?)?;
             tell(written.trim_end());
         }
     }
-    if options.open { files::open(&path) } else { Ok(()) }
+    Ok(())
+}
+
+/// A place of the drawing.
+fn point([x, y]: [f64; 2]) -> String {
+    format!("{}, {}", Dimension::Length.show_digits(x, 5), Dimension::Length.show_digits(y, 5))
 }
 
 fn text(layout: &Layout) -> String {
     let length = |value: f64| Dimension::Length.show_digits(value, 5);
     let number = |value: f64| Dimension::Number.show_digits(value, 5);
-    let point = |[x, y]: [f64; 2]| format!("{}, {}", length(x), length(y));
     let mut rows = vec![
         ["plate", "slope", "length", "uphill end", "free edge", "friction", "restitution"]
             .map(str::to_owned)

@@ -74,6 +74,7 @@ fn of_scene<'s, T: Told>(
             None
         }
     };
+    // The plate and all three texts are told at once.
     complaints.finish()?;
     let Some(throws) = throws else { return Ok(()) };
     let name = scene.name();
@@ -135,10 +136,10 @@ fn text<T: Told>(throws: &T, found: &Poses, report: &FacesReport<T::Face>) -> St
         let [share, interval] = percent(&end.probability);
         row.extend([format!("{share} %"), interval]);
     }
+    // The hull of a surface with many facets has many faces that nothing ever lies on.
     let all = rows.len();
     if all > MOST_FACES + 1 {
-        let is_told =
-            |face: usize| !T::is_minor(&report.faces[face]) || found.ends[face].probability.count > 0;
+        let is_told = |face: usize| !is_left_out::<T>(report, &found.ends[face]);
         let numbered = rows.into_iter().enumerate();
         rows = numbered.filter(|(row, _)| *row == 0 || is_told(row - 1)).map(|(_, row)| row).collect();
     }
@@ -162,6 +163,12 @@ fn text<T: Told>(throws: &T, found: &Poses, report: &FacesReport<T::Face>) -> St
     text.push_str(&notes(throws.scene().notes()));
     text.push('\n');
     text
+}
+
+/// True of a face of which there is little to tell, and on which no throw ends.
+fn is_left_out<T: Told>(report: &FacesReport<T::Face>, end: &Posed) -> bool {
+    let Pose::Face(face) = end.pose else { return false };
+    end.probability.count == 0 && report.faces.get(face).is_some_and(T::is_minor)
 }
 
 /// What varies from throw to throw, and what the part falls on.
@@ -195,7 +202,9 @@ fn page<T: Told>(throws: &T, found: &Poses, report: &FacesReport<T::Face>) -> St
             command: String::new(),
         }
     };
-    let ends: Vec<PoseEnd> = found.ends.iter().map(end).collect();
+    // Bars of what nothing ever lies on would hide the others.
+    let ends = found.ends.iter().filter(|end| !is_left_out::<T>(report, end));
+    let ends: Vec<PoseEnd> = ends.map(end).collect();
     let scene = throws.scene();
     let mut told: Vec<String> = without_way(found).into_iter().collect();
     told.push(sampling(found.throws, report.seed));

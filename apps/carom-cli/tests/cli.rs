@@ -44,6 +44,9 @@ says! {
     run_a_scene_with_problems: ["run", "impact_bar.toml"], "";
     draw_designer: ["draw", "designer.toml"], "";
     draw_as_json: ["draw", "case_1.toml", "--format", "json"], "";
+    draw_solid: ["draw", "solid.toml"], "";
+    draw_solid_for_simulators: ["draw", "solid_bolt.toml", "--simulators"], "";
+    draw_solid_as_json: ["draw", "solid.toml", "--format", "json"], "";
     faces_of_a_bracket: ["faces", "bracket.toml", "--throws", "256", "--height", "50 ± 10 mm", "--spin", "5 rad/s"], "";
     faces_of_a_solid: ["faces", "solid.toml", "--throws", "32", "--height", "5 mm", "--plate", "upper"], "";
     faces_of_a_solid_with_problems: ["faces", "solid.toml", "--height", "3", "--speed", "-1 m/s", "--plate", "nine"], "";

@@ -62,6 +62,21 @@ pub fn layout_svg(feeder: &Feeder, run: Option<&Run>, draft: &Draft) -> String {
 
 /// The layout, with its style inside where it stands alone.
 pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, draft: &Draft, alone: bool) -> Markup {
+    let part = |view: &View, labels: &mut Labels| match run.filter(|run| !run.trace.pieces.is_empty()) {
+        Some(run) => motion(feeder, run, draft, view, labels),
+        None => ghost(feeder, draft, feeder.start_state().pose, view, "ghost stage"),
+    };
+    laid_out(feeder, run, draft, alone, part)
+}
+
+/// The layout with a picture of the part in it.
+pub(crate) fn laid_out(
+    feeder: &Feeder,
+    run: Option<&Run>,
+    draft: &Draft,
+    alone: bool,
+    part: impl FnOnce(&View, &mut Labels) -> Markup,
+) -> Markup {
     let (width, height) = if alone { ALONE } else { IN_REPORT };
     let view = view_of(feeder, run.as_slice(), width, height);
     let paper = Paper::around(&view);
@@ -72,10 +87,7 @@ pub(crate) fn layout(feeder: &Feeder, run: Option<&Run>, draft: &Draft, alone: b
         lengths_svg(&lengths(feeder, draft, false), &view, &mut labels),
         names_and_slopes(feeder, draft, &view, &mut labels),
     ];
-    match run.filter(|run| !run.trace.pieces.is_empty()) {
-        Some(run) => out.push(motion(feeder, run, draft, &view, &mut labels)),
-        None => out.push(ghost(feeder, draft, feeder.start_state().pose, &view, "ghost stage")),
-    }
+    out.push(part(&view, &mut labels));
     out.push(scale_bar(&view));
     let [x, y, width, height] = [paper.low.x, paper.low.y, paper.size().x, paper.size().y].map(px);
     html! {

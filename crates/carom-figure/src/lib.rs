@@ -8,6 +8,7 @@
 //! - [`roll_report`]: the same for a body that rolls, rocks or pivots through its strikes;
 //! - [`solid_report`]: the same for a body in space, with an animation that can be turned;
 //! - [`space_report`]: the same for a run of a solid part through a feeder; [`space_rows`]: the rows of its table;
+//! - [`space_layout_svg`]: the layout of a feeder in space, seen from the side;
 //! - [`space_glb`]: such a run as glTF 2.0, with the motion;
 //! - [`impact_report`]: the same for one impact;
 //! - [`yield_report`]: a page of its own for a yield study; [`pose_report`]: one for many throws of a body; [`validation_report`]: one for published results;
@@ -76,6 +77,7 @@ mod simulators;
 mod solid;
 mod solid_scene;
 mod solid_tables;
+mod space_layout;
 mod space_plates;
 mod space_report;
 mod space_rows;
@@ -130,6 +132,7 @@ pub use solid::{
     SolidContact, SolidDrawing, SolidFigure, SolidFork, SolidInstant, SolidPlate, SolidSeries, SolidStage,
     SolidState, SolidStrike, solid_report,
 };
+pub use space_layout::space_layout_svg;
 pub use space_report::{SpaceFigure, space_report};
 pub use space_rows::{SpaceRow, space_contacts, space_energy_change, space_rows, space_tilt};
 pub use stage_table::{Row, milliseconds, rows, shown_tilt};

@@ -5,6 +5,7 @@ use crate::drawing::{Level, Outline, Place, PlateDrawing, Reach, Side, WallCours
 use crate::layout::zigzag_plates;
 use crate::quantity::{Quantity, Tolerance};
 use crate::scene::Scene;
+use crate::space::SpaceScene;
 use crate::unit::Dimension;
 use carom_feeder::FormArc;
 use carom_motion::planar::ChainPoint;
@@ -127,10 +128,9 @@ impl Scene {
             all.push(Measure { plate: None, name, text, axis: MeasureAxis::Level, from, to });
         }
         let width = drawing.channel.as_ref().map(|channel| channel.width.value);
+        let ends: Vec<(Vec2, Vec2)> = plates.iter().map(|plate| (plate.uphill, plate.edge)).collect();
         for (i, (drawn, plate)) in drawn.iter().zip(plates).enumerate() {
-            let before = i.checked_sub(1).and_then(|i| plates.get(i)).map(|plate| (plate.uphill, plate.edge));
-            let lies = Lies { plate: i, ends: (plate.uphill, plate.edge), before, width };
-            all.extend(lies.measures(&drawn.place));
+            all.extend(lies(i, drawn, &ends, width));
             let chain = match &drawn.place {
                 Place::Chain { chain } => Some(chain),
                 _ => None,
@@ -150,6 +150,32 @@ impl Scene {
         }
         all
     }
+}
+
+impl SpaceScene {
+    /// The measures that it writes about its plates, in the order of the file, as [`Scene::measures`]: those of the drawing, seen from the side.
+    ///
+    /// # Example
+    /// ```
+    /// use carom_scene::{AnyScene, MeasureAxis};
+    /// let AnyScene::Space(scene) = AnyScene::read("../../examples/solid.toml".as_ref())? else { panic!("it is in space") };
+    /// let first = &scene.measures()[0];
+    /// assert_eq!((first.plate, first.axis, first.text.as_str()), (Some(0), MeasureAxis::Slope, "15°"));
+    /// # Ok::<(), carom_scene::Problems>(())
+    /// ```
+    pub fn measures(&self) -> Vec<Measure> {
+        let ends: Vec<(Vec2, Vec2)> =
+            self.feeder().plates.iter().map(|plate| (plate.uphill, plate.edge)).collect();
+        let width = self.drawing().channel.as_ref().map(|channel| channel.width.value);
+        let drawn = self.drawing().plates.iter().enumerate().take(ends.len());
+        drawn.flat_map(|(i, drawn)| lies(i, drawn, &ends, width)).collect()
+    }
+}
+
+/// What is written about where a plate lies, of plates with these ends.
+fn lies(plate: usize, drawn: &PlateDrawing, ends: &[(Vec2, Vec2)], width: Option<f64>) -> Vec<Measure> {
+    let before = plate.checked_sub(1).map(|before| ends[before]);
+    Lies { plate, ends: ends[plate], before, width }.measures(&drawn.place)
 }
 
 /// What is written about the radii of a plate or wall.

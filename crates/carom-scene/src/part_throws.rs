@@ -183,8 +183,7 @@ pub struct PartEndReport {
     pub of_resting: Option<ProbabilityReport>,
 }
 
-/// The faces of a part, and on which of them it comes to rest when it is thrown: of a part in the plane, or of a solid one with
-/// [`SolidFaceReport`](crate::SolidFaceReport).
+/// The faces of a part, and on which of them it comes to rest when it is thrown.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "carom faces")]
 pub struct FacesReport<Face = FaceReport> {
@@ -235,6 +234,7 @@ impl<Face> FacesReport<Face> {
         let scene = throws.scene();
         let [height, speed, spin_rate] = throws.ranges();
         let (friction, restitution) = throws.surface();
+        // Every face is among the ends, and so at its own place there.
         let ends = found.ends.iter().map(|posed| PartEndReport {
             end: PoseWord(posed.pose),
             face: if let Pose::Face(face) = posed.pose { Some(face) } else { None },

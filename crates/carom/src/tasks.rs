@@ -129,7 +129,12 @@ pub fn extra(scene: &Scene, run: Option<&Run>, limits: Option<&[Limit]>) -> Extr
 
 /// What a scene's author drew and wrote, for its pictures.
 pub fn draft(scene: &Scene) -> Draft {
-    let measures = scene.measures().into_iter().map(|measure| carom_figure::Measure {
+    Draft { outline: scene.outline(), measures: measures(scene.measures()) }
+}
+
+/// What is written of a layout, for its pictures.
+pub(crate) fn measures(written: Vec<carom_scene::Measure>) -> Vec<carom_figure::Measure> {
+    let of = |measure: carom_scene::Measure| carom_figure::Measure {
         plate: measure.plate,
         name: measure.name.to_owned(),
         text: measure.text,
@@ -142,8 +147,8 @@ pub fn draft(scene: &Scene) -> Draft {
         },
         from: measure.from,
         to: measure.to,
-    });
-    Draft { outline: scene.outline(), measures: measures.collect() }
+    };
+    written.into_iter().map(of).collect()
 }
 
 /// A limit in the unit a drawing uses; `None` where the scene has no such quantity.

@@ -25,6 +25,7 @@ pub(crate) fn table(faces: &[SolidFaceReport]) -> Vec<Vec<String>> {
     ];
     let millimetres = |length: f64| format!("{} mm", fixed(1e3 * length, 2));
     let row = |face: &SolidFaceReport| {
+        // Where the part does not stay this is the side over which it rolls off.
         let [from, to] = face.tips_over;
         vec![
             face.face.to_string(),

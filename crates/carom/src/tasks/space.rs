@@ -2,7 +2,7 @@
 
 use super::{MADE_BY, shown as shown_limit};
 use carom_feeder::spatial::Run;
-use carom_figure::{LiveSolid, SpaceFigure, Wish, live_space, space_report};
+use carom_figure::{Draft, LiveSolid, SpaceFigure, Wish, live_space, space_report};
 use carom_scene::{FoundLimits, SpaceRunReport, SpaceScene};
 use carom_words::part;
 use std::fmt::Write as _;
@@ -72,6 +72,20 @@ pub fn design_page(scene: &SpaceScene, run: &Run, mut said: Vec<String>) -> Stri
     said.extend(scene.notes().iter().cloned());
     let page = |figure: &SpaceFigure<'_>| space_report(&SpaceFigure { notes: &said, ..*figure });
     shown(scene, run, &SpaceRunReport::new(scene, run), page)
+}
+
+/// The layout of a feeder as SVG, seen from the side, with the part at the start.
+///
+/// # Example
+/// ```
+/// use carom::{scene::SpaceScene, tasks::space::layout};
+/// let text = "part = { box = [0.04, 0.01, 0.02], mass = 0.06 }\ncontact = { friction = 0.5 }\nstart = { to_edge = 0.1 }\n[[plate]]\nslope = \"15 deg\"";
+/// assert!(layout(&SpaceScene::parse("stays.toml", text)?).contains("15°"));
+/// # Ok::<(), carom::Error>(())
+/// ```
+pub fn layout(scene: &SpaceScene) -> String {
+    let draft = Draft { outline: vec![], measures: super::measures(scene.measures()) };
+    carom_figure::space_layout_svg(scene.feeder(), &draft)
 }
 
 /// A run as a figure shows it.
