@@ -21,20 +21,35 @@ from carom.answers.shared import (
 
 @dataclass(frozen=True, kw_only=True)
 class SolidFace:
-    """A face of the part's hull."""
+    """A face of a solid part's hull: on it the part can lie, or it rolls off."""
 
     centre_height_m: float
     """Height of the mass centre above it [m]."""
     corners: list[int]
     """Its corners, by their numbers, counter-clockwise as seen from outside."""
     face: int
-    """Its number."""
+    """Its number, as results name it."""
     margin_m: float
-    """How far inside the face the mass centre's projection is [m]: the part can rest on it on level ground where
-    this is positive.
+    """How far inside the face the mass centre's projection is from the nearest side [m]; negative where it is
+    outside. Of a rounded part the face ends where the round edges begin.
     """
     normal: list[float]
     """Unit normal, outwards, in the part's axes."""
+    quasi_static_share: float
+    """The share of all attitudes from which the part comes to rest on this face, where it is let go so gently
+    that it never swings on: by solid angles, and with what rolls onto it from faces on which it does not
+    stay.
+    """
+    solid_angle_share: float
+    """The face as it is seen from the mass centre: its solid angle, as a share of 4π."""
+    stable: bool
+    """True where the part stays on it on level ground."""
+    tips_after_rad: float
+    """How far the part can be tilted at least before it tips over [rad]; 0 where it does not stay."""
+    tips_onto: int
+    """The face beyond that side."""
+    tips_over: list[int]
+    """The side over which it tips so, or rolls off: the corners at its two ends."""
 
 
 @dataclass(frozen=True, kw_only=True)
