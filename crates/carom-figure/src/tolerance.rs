@@ -19,3 +19,5 @@ pub(crate) const NO_SPIN: f64 = 5e-5;
 pub(crate) const LEAST_WIDTH: f64 = 1e-9;
 /// Share of the energy of height that strikes may take which a closed series leaves out \[1\]: it is closed when they are a small part of what is left.
 pub(crate) const SERIES_LEAVES_OUT: f64 = 1e-6;
+/// A face of a part whose picture is smaller than this share of the square of the part's reach is seen edge on: rounding leaves so much of it.
+pub(crate) const EDGE_ON: f64 = 1e-9;
