@@ -5,6 +5,7 @@
 
 mod error;
 mod evaluated;
+mod periods;
 pub mod planar;
 pub mod spatial;
 mod tolerance;

@@ -116,6 +116,12 @@ pub(crate) const SERIES_LEFT: f64 = 1e-6;
 pub(crate) const LATE_SERIES: f64 = 1e-3;
 /// Intervals that shrink by less than this ratio are no series: the limit of one would not be known.
 pub(crate) const MOST_SERIES_RATIO: f64 = 0.9999;
+/// The turns of a body that rocks on two contacts are closed once this time is left of them: with less left the gaps between them are rounding.
+pub(crate) const ROCKING_LEFT: f64 = 1e-3;
+/// Their limit is known to this time.
+pub(crate) const ROCKING_ERROR: f64 = 1e-8;
+/// To lie on both contacts a body that rocks is moved by no more than this.
+pub(crate) const ROCKING_MOVE: f64 = 1e-8;
 
 // Integration in the plane.
 
@@ -302,10 +308,16 @@ pub(crate) const CORRECTION_ROUNDING: f64 = 4e-16;
 
 /// A series is closed once this time is left of it, where nobody asks for another.
 pub(crate) const SPATIAL_CLOSING: f64 = 1e-5;
-/// A closing may be wrong by this fraction of the time that may be left for it: three successive ratios tell how much it is.
+/// The last impact moves the limit of a series by no more than this fraction of the time that may be left for a closing.
 pub(crate) const CLOSING_ERROR: f64 = 1e-3;
+/// The turns of supports that strike one after the other are closed with so many times as much left of them: where each chatters, closing that leaves traces in the later ones.
+pub(crate) const TURNS_EARLIER: f64 = 1000.0;
+/// But not before: rocking that can be seen is not closed.
+pub(crate) const MOST_TURNS_LEFT: f64 = 1e-2;
 /// Periods that shrink by no more than this ratio are none of a series.
 pub(crate) const MOST_PERIOD_RATIO: f64 = 0.999;
+/// The ratio of a series changes by no more than this from period to period: limits of others may agree by chance.
+pub(crate) const STEADY_RATIO: f64 = 0.01;
 /// Kinetic energies below this fraction of m g × reach do not lift a body by what rounding leaves of heights.
 pub(crate) const FAINT_ENERGY: f64 = 1e-15;
 /// Supports this close to the plane on which a body rests lie on it: what a closed series leaves, and rounding.

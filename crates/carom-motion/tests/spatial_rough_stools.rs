@@ -44,9 +44,10 @@ fn ample_friction_is_as_good_as_none_that_slides() {
             (a.time - b.time).abs() < 1e-10 && (a.spin_after - b.spin_after).norm() < 1e-9 && a.kept == b.kept
         };
         let same = pairs.take_while(alike).count();
-        println!("{name}, μ = {friction}: {same} of {} impacts alike", held.impacts.len());
+        println!("{name}, μ = {friction}: {same} of {} impacts alike", rough.impacts.len());
         assert!(!slid && rough.end == held.end && (rough.time - held.time).abs() < 1e-10, "{:?}", rough.end);
-        assert!(same + 3 >= held.impacts.len(), "but for the last of a series all are alike");
+        // Where something may slide turns are closed earlier.
+        assert!(same + 3 >= rough.impacts.len(), "but for the last of a series all are alike");
     }
 }
 

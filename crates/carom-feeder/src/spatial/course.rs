@@ -11,7 +11,7 @@ use crate::tolerance::FLAT_FACE;
 use carom_impact::spatial::Conclusion;
 use carom_motion::MotionError;
 use carom_motion::spatial::{
-    End, Impact, Mode, Observer, Piece, Run as Motion, Samples, State, Supports, Touch as Feature,
+    Closing, End, Impact, Mode, Observer, Piece, Run as Motion, Samples, State, Supports, Touch as Feature,
     run as run_motion,
 };
 use carom_num::Vec3;
@@ -33,6 +33,8 @@ pub(super) struct Watcher<'p, 'f> {
     struck_at: Vec<f64>,
     struck: Vec<usize>,
     held: Supports,
+    /// The last series of impacts that was closed: when, and its limit [s].
+    closed: Option<[f64; 2]>,
     samples: Samples,
 }
 
@@ -52,6 +54,7 @@ impl<'p, 'f> Watcher<'p, 'f> {
             struck_at: vec![],
             struck: vec![],
             held: Supports::NONE,
+            closed: None,
             samples: Samples::default(),
         }
     }
@@ -195,6 +198,11 @@ impl<'p, 'f> Watcher<'p, 'f> {
         }
     }
 
+    /// What comes to rest at the end of a series of impacts does so at its limit [s].
+    fn limit_at(&self, time: f64) -> f64 {
+        self.closed.filter(|[last, _]| *last == time).map_or(time, |[_, limit]| limit)
+    }
+
     /// The speed along the surface with which a support slips [m/s].
     fn slip(&self, support: usize, state: &State) -> f64 {
         let world = &self.prepared.world;
@@ -219,7 +227,7 @@ impl<'p, 'f> Watcher<'p, 'f> {
             turned_here: Some(Some(face) != face_before),
             face: Some(face),
             first_touch: self.plates[plate].first_touch.unwrap_or(time),
-            flat: Some(time),
+            flat: Some(self.limit_at(time)),
             impact_speed: 0.0,
             max_impact_speed: 0.0,
             max_sliding_speed: 0.0,
@@ -283,6 +291,10 @@ impl Observer for Watcher<'_, '_> {
     fn piece(&mut self, piece: &Piece) {
         self.note(piece.end_time, piece.mode.held(&self.prepared.world), &piece.end);
         self.samples.piece(piece);
+    }
+
+    fn closing(&mut self, closing: &Closing) {
+        self.closed = Some([closing.time, closing.limit]);
     }
 
     fn impact(&mut self, impact: &Impact) -> ControlFlow<()> {

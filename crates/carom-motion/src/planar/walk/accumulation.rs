@@ -120,9 +120,9 @@ impl<const B: usize> Walker<'_, B> {
         bend < 0.0 && 2.0 * rate < -bend * SERIES_LEFT * self.scales.time
     }
 
-    pub(super) fn report_accumulation(&self, from: f64, observers: &mut Observers<'_, B>) {
+    pub(super) fn report_accumulation(&self, from: f64, to: f64, observers: &mut Observers<'_, B>) {
         for observer in observers.iter_mut().flatten() {
-            observer.accumulation(from, self.time);
+            observer.accumulation(from, to);
         }
     }
 
@@ -158,15 +158,30 @@ impl<const B: usize> Walker<'_, B> {
         // A lone body moves in the time that is left as it does from then on: that is what its rebounds come to. Of several, what is not struck may
         // hang on others: they go on as they are.
         let alone = B == 1;
-        if !alone {
+        if alone {
+            self.states = self.stopped(held);
+        } else {
             for state in &mut self.states {
                 state.pose.centre += state.twist.velocity * series.left;
                 state.pose.angle += state.twist.spin * series.left;
             }
         }
         self.time += series.left;
+        self.report_accumulation(series.from, self.time, observers);
+        let happening = self.rest_on(held, observers)?;
+        if alone && happening == Happening::Moves {
+            self.states = self.moved_in(series.left);
+        }
+        Ok(happening)
+    }
+
+    /// What has bounced is at rest on what it bounced on, and is asked what it does there.
+    pub(super) fn rest_on(
+        &mut self,
+        held: &Few<Held>,
+        observers: &mut Observers<'_, B>,
+    ) -> Result<Happening, MotionError> {
         self.recent.end_series(self.time);
-        self.report_accumulation(series.from, observers);
         self.states = self.projected_onto(&self.states, held);
         self.departing.clear();
         self.held.clear();
@@ -174,11 +189,7 @@ impl<const B: usize> Walker<'_, B> {
         for h in held.iter() {
             pairs.push(h.pair);
         }
-        let happening = self.collide(&pairs, observers)?;
-        if alone && happening == Happening::Moves {
-            self.states = self.moved_in(series.left);
-        }
-        Ok(happening)
+        self.collide(&pairs, observers)
     }
 
     /// Where the present mode moves the bodies within a short time [s], or until a slip stops before that: from then on another mode moves them.
@@ -197,6 +208,17 @@ impl<const B: usize> Walker<'_, B> {
         let slips = self.held.iter().filter(|h| h.slip != Slip::Sticks);
         let first = slips.map(share).fold(1.0, f64::min);
         if first < 1.0 { after(first * time) } else { moved }
+    }
+}
+
+impl Walker<'_> {
+    /// Moves the body on in its present mode until a time [s] soon after: to the limit of a series of impacts that an observer has been
+    /// [told of](crate::planar::Observer::accumulation), at which it rests.
+    pub fn move_on(&mut self, until: f64) {
+        if until > self.time {
+            self.states = self.moved_in(until - self.time);
+            self.time = until;
+        }
     }
 }
 

@@ -238,6 +238,10 @@ impl<const B: usize> Walker<'_, B> {
         }
         self.report_impact(&strike, struck, &before, observers);
         self.recent.push(self.time);
+        self.rocking.note(struck, forced, self.time);
+        if let Some((series, held)) = self.rocked() {
+            return self.close_rocking(&series, &held, observers);
+        }
         self.after_strike(struck, &strike, observers)
     }
 
@@ -293,7 +297,7 @@ impl<const B: usize> Walker<'_, B> {
                     continue;
                 };
                 left = left.max(rest);
-                closed.push(Held { pair: s.pair, slip: Slip::Forward });
+                closed.push(Held::slipping(s.pair, *slip, still));
             }
             let slip = if slip.abs() <= still { 0.0 } else { *slip };
             asked.push(Asked { pair: s.pair, slip, known: None, present: Slip::Open });
@@ -308,8 +312,8 @@ impl<const B: usize> Walker<'_, B> {
         }
         // Others are on the move beside what falls back at once: what speed is left to it is taken away before the contacts are asked.
         if !closed.is_empty() {
-            self.report_accumulation(from, observers);
-            self.states = self.projected_onto(&self.states, &closed);
+            self.report_accumulation(from, self.time, observers);
+            self.states = self.projected_onto(&self.stopped(&closed), &closed);
         }
         let happening = self.settle(&asked, observers)?;
         if is_dense(observers) {

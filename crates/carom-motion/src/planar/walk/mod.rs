@@ -14,6 +14,7 @@ mod opening;
 pub(in crate::planar) mod path;
 mod project;
 mod reports;
+mod rocking;
 mod series;
 mod sides;
 mod steady;

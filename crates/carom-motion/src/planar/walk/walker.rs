@@ -2,6 +2,7 @@
 
 use super::accumulation::Recent;
 use super::path::Leg;
+use super::rocking::Rocking;
 use super::terms::{Effort, Happening, Margin, MarginOf, Options};
 use crate::MotionError;
 use crate::evaluated::{unless_lost, watched};
@@ -54,6 +55,7 @@ pub struct Walker<'w, const B: usize = 1> {
     pub(in crate::planar) departing: Few<Pairing>,
     pub(in crate::planar) sides: Vec<bool>,
     pub(in crate::planar) recent: Recent,
+    pub(in crate::planar) rocking: Rocking,
     pub(in crate::planar) effort: Effort,
     pub(in crate::planar) margin: Margin,
     /// Impacts without approach in a row at this instant.
@@ -181,6 +183,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             departing: Few::default(),
             sides,
             recent: Recent::default(),
+            rocking: Rocking::default(),
             effort: Effort::default(),
             margin: Margin { value: f64::INFINITY, of: MarginOf::Nothing, time: 0.0 },
             forced: 0,

@@ -7,7 +7,7 @@ use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::mode::Mode;
 use crate::spatial::modes::settle::{all_held, settled, spin_on};
 use crate::spatial::record::run::{Closing, End};
-use crate::tolerance::{FAINT_ENERGY, LIES_ON_PLANE};
+use crate::tolerance::{CLOSING_ERROR, FAINT_ENERGY, LIES_ON_PLANE, MOST_TURNS_LEFT, TURNS_EARLIER};
 
 /// What became of an impact that may be one of a series.
 pub(super) enum Closed {
@@ -19,7 +19,8 @@ pub(super) enum Closed {
 
 impl Walker<'_> {
     /// Notes an impact, and closes the series that it belongs to once its limit is near. `pattern` tells one impact of a period from the others; `rests` is what
-    /// rests where a series of such impacts is over. A limit may be one of a series too: a body that rocks on two edges may chatter on each before it rolls on it.
+    /// rests where a series of such impacts is over. A limit may be one of a series too: a body that rocks on two edges may chatter on each before it rolls on it. So may the turns of supports
+    /// that strike one after the other be: the first strikes of each.
     pub(super) fn note(
         &mut self,
         touching: Supports,
@@ -29,13 +30,20 @@ impl Walker<'_> {
         let faint = self.state.kinetic(self.world.body()) < FAINT_ENERGY * self.scales.energy;
         let mut beat = Beat { time: self.time, touching, pattern, rests, faint };
         let mut closed = Closed::Not;
+        // What stands without sliding hardly chatters: its impacts are its turns.
+        if self.world.friction().is_some() && self.turns.latest() != Some(pattern) {
+            self.turns.push(beat);
+            let closing = (TURNS_EARLIER * self.options.closing).min(MOST_TURNS_LEFT);
+            if let Some(series) = self.series_of(&self.turns, closing)
+                && let Closed::Yes(end) = self.close(&series, beat.time + series.left)?
+            {
+                self.forget_series();
+                return Ok(Closed::Yes(end));
+            }
+        }
         for level in 0..self.recent.len() {
             self.recent[level].push(beat);
-            let short = self.options.closing * self.scales.time;
-            let fewest = if self.world.friction().is_some() { 1 } else { 2 };
-            let Some(series) = self.recent[level].series(short).filter(|s| s.kept.len() >= fewest) else {
-                break;
-            };
+            let Some(series) = self.series_of(&self.recent[level], self.options.closing) else { break };
             let limit = beat.time + series.left;
             let Closed::Yes(end) = self.close(&series, limit)? else { break };
             self.recent[level].clear();
@@ -49,6 +57,14 @@ impl Walker<'_> {
         Ok(closed)
     }
 
+    /// The series that these impacts belong to, once so much of the world's time is left of it.
+    fn series_of(&self, recent: &Recent, closing: f64) -> Option<Series> {
+        let [short, error] =
+            [closing, CLOSING_ERROR * self.options.closing].map(|time| time * self.scales.time);
+        let fewest = if self.world.friction().is_some() { 1 } else { 2 };
+        recent.series(short, error).filter(|s| s.kept.len() >= fewest)
+    }
+
     /// Closes a series: the supports that any of its impacts keeps rest. If they would not stay, there is no series.
     fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
         let world = self.world;
@@ -56,7 +72,14 @@ impl Walker<'_> {
         let impacts = self.impacts.len();
         let mode = Mode::holding(world, series.kept, self.state.pose());
         if self.world.friction().is_some() {
-            let Some(state) = self.landed(series.kept, series.left) else { return Ok(Closed::Not) };
+            // A face has to come down to where it lies: what is beside it may keep it as it is otherwise.
+            if matches!(mode, Mode::Rest { .. }) {
+                self.state = self.laid(series.kept);
+            }
+            let Some(state) = self.landed(series.kept, series.left) else {
+                self.state = before.0;
+                return Ok(Closed::Not);
+            };
             self.state = state;
         } else {
             self.state.spin = spin_on(world, mode, &self.state);
@@ -78,6 +101,16 @@ impl Walker<'_> {
             self.time = limit;
         }
         Ok(Closed::Yes(end))
+    }
+
+    /// The stretch after a closed series starts at its last impact, and brings what is left of it. A run that is ended there ends at the limit.
+    pub(super) fn goes_to_the_limit(&mut self) -> Result<(), MotionError> {
+        let closed = self.closings.last().filter(|closing| closing.time == self.time);
+        if let Some(limit) = closed.map(|closing| closing.limit).filter(|limit| *limit > self.time) {
+            self.state = self.ahead(limit - self.time)?;
+            self.time = limit;
+        }
+        Ok(())
     }
 
     /// The heights after the held supports have come down to the plane: all go down with a body at rest, and turn across an edge. On several planes they are
@@ -117,5 +150,6 @@ impl Walker<'_> {
     /// Whatever was seen of series is over.
     pub(super) fn forget_series(&mut self) {
         self.recent.iter_mut().for_each(Recent::clear);
+        self.turns.clear();
     }
 }

@@ -6,7 +6,7 @@ use super::sliding::carriers::Carried;
 use super::sliding::{Sliding, Vector};
 use super::walker::{Walker, without_way};
 use crate::MotionError;
-use crate::spatial::geometry::state::State;
+use crate::spatial::geometry::state::{State, measured};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::modes::grip::{Bearing, Grip, MOST_BEARING};
 use crate::spatial::modes::mode::{Mode as BodyMode, Vector as Standing, spanned};
@@ -16,8 +16,8 @@ use crate::spatial::record::run::{Clock, End};
 use crate::spatial::terms::Choice;
 use crate::tolerance::{CONES_LEFT_AT_ONCE, RESTING_SLIP, SLIPS_AHEAD, WEIGHTLESS};
 use carom_impact::spatial::Conclusion;
-use carom_num::Vec3;
 use carom_num::ode8::step_plain;
+use carom_num::{Rotation, Vec3};
 
 /// At the limit of a series the impulses that end it stop every slip that is below this many times the largest speed along the normal.
 const SWEPT: f64 = 4.0;
@@ -123,6 +123,21 @@ impl<'w> Walker<'w> {
         let bearings: Vec<Bearing> = asked.iter().map(|i| self.bearing(i)).collect();
         let (velocity, spin) = Grip { body: self.world.body(), bearings: &bearings }.taken_back();
         State { velocity: state.velocity + state.attitude.apply(velocity), spin: state.spin + spin, ..*state }
+    }
+
+    /// The state in which all of these supports touch, by the least motion.
+    pub(super) fn laid(&self, kept: Supports) -> State {
+        let (world, state) = (self.world, &self.state);
+        let gap = |i: usize| self.world.normal(i, state.pose()) * measured(world, state, None, i);
+        let bearing = |i: usize| Bearing { drive: state.attitude.undo(gap(i)), ..self.bearing(i) };
+        let bearings: Vec<Bearing> = kept.iter().map(bearing).collect();
+        let (moved, turn) = Grip { body: world.body(), bearings: &bearings }.taken_back();
+        let attitude = state.attitude.after(Rotation::by(turn));
+        State {
+            centre: state.centre + state.attitude.apply(moved),
+            attitude: Rotation::of(attitude.to_array()).unwrap_or(attitude),
+            ..*state
+        }
     }
 
     /// A support without friction that has to take its velocity away.
@@ -295,7 +310,7 @@ impl<'w> Walker<'w> {
     }
 
     /// The state a short time later, if the mode goes on.
-    fn ahead(&self, time: f64) -> Result<State, MotionError> {
+    pub(super) fn ahead(&self, time: f64) -> Result<State, MotionError> {
         if matches!(self.mode, BodyMode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
             let step = step_plain(first, sliding.rate(&first), time, |y| sliding.rate(y));

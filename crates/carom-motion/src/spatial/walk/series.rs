@@ -1,7 +1,7 @@
 //! Infinitely many impacts in finite time: seen as a geometric series of periods, closed at its limit.
 
+use crate::periods::left;
 use crate::spatial::geometry::supports::Supports;
-use crate::tolerance::{CLOSING_ERROR, MOST_PERIOD_RATIO};
 
 /// Impacts remembered: four periods of the longest pattern, and one more.
 const REMEMBERED: usize = 4 * MOST_PERIOD + 1;
@@ -52,22 +52,22 @@ impl Recent {
         self.beats.push(beat);
     }
 
+    /// The pattern of the latest impact.
+    pub(super) fn latest(&self) -> Option<Supports> {
+        self.beats.last().map(|beat| beat.pattern)
+    }
+
     pub(in crate::spatial) fn clear(&mut self) {
         self.beats.clear();
     }
 
     /// The series that these impacts belong to, once at most `short` \[s\] is left of it: the shortest pattern of supports that has been seen four
-    /// times, with ratios that agree well enough (two may agree by chance). Rounding leaves no pattern of a series that is almost over: such a series
+    /// times, with a limit that the last impact has not moved by more than `error` \[s\]. Rounding leaves no pattern of a series that is almost over: such a series
     /// is over once its impacts crowd, or are faint.
-    pub(in crate::spatial) fn series(&self, short: f64) -> Option<Series> {
-        let settled = |s: &Series, [before, first]: [f64; 2]| {
-            let changed = (s.ratio - before).abs().max(s.ratio * (before - first).abs());
-            // The change of left = late r/(1 − r) with r, in units of it.
-            s.left * changed / (s.ratio * (1.0 - s.ratio)) <= CLOSING_ERROR * short
-        };
+    pub(in crate::spatial) fn series(&self, short: f64, error: f64) -> Option<Series> {
         let patterned = (1..=MOST_PERIOD).find_map(|p| {
-            let (series, before) = self.of_period(p)?;
-            (self.repeats(p) && settled(&series, before) && series.left <= short).then_some(series)
+            let (series, moved) = self.of_period(p)?;
+            (self.repeats(p) && moved <= error && series.left <= short).then_some(series)
         });
         patterned.or_else(|| self.crowded(short)).or_else(|| self.faint())
     }
@@ -94,45 +94,24 @@ impl Recent {
     /// True where the last four periods have the same impacts in the same order.
     fn repeats(&self, p: usize) -> bool {
         let n = self.beats.len();
-        (n - 3 * p..n).all(|i| self.beats[i].pattern == self.beats[i - p].pattern)
+        n >= 4 * p && (n - 3 * p..n).all(|i| self.beats[i].pattern == self.beats[i - p].pattern)
     }
 
-    /// The series of this period, and the ratios one and two periods before.
-    fn of_period(&self, p: usize) -> Option<(Series, [f64; 2])> {
+    /// The series of this period, and how far its limit is from where the impact before had it [s].
+    fn of_period(&self, p: usize) -> Option<(Series, f64)> {
         let last = self.beats.len().checked_sub(1)?;
-        last.checked_sub(4 * p)?;
-        let time = |back: usize| self.beats[last - back * p].time;
-        let [late, middle, early, first] = [0, 1, 2, 3].map(|k| time(k) - time(k + 1));
-        let [ratio, before, first] = [late / middle, middle / early, early / first];
+        let (left, ratio) = self.left(p, last)?;
+        let (before, _) = self.left(p, last.checked_sub(1)?)?;
+        let lasted = self.beats[last].time - self.beats[last - 1].time;
         let period = &self.beats[last + 1 - p..];
         let kept = period.iter().fold(Supports::NONE, |all, beat| all.union(beat.rests));
-        // The limit of a closed series may lie after the next impact: times of limits need not ascend.
-        let sound = |ratio: f64| ratio > 0.0 && ratio < MOST_PERIOD_RATIO;
-        let left = late * left_of(ratio, before);
-        let positive = |ratio: f64| ratio > 0.0 && ratio.is_finite();
-        (sound(ratio) && positive(before) && positive(first) && left >= 0.0)
-            .then_some((Series { period: p, ratio, left, kept }, [before, first]))
+        Some((Series { period: p, ratio, left, kept }, (lasted + left - before).abs()))
     }
-}
 
-/// What is left of a series, in units of its last interval, by the last two ratios of intervals.
-///
-/// Were each interval r times the one before, `r/(1 − r)` would be left. But angles, and centrifugal beside gravity's accelerations, fall as the square of the
-/// intervals, and so does what they add to the ratio: with `q = r²` it is `r (1 + ε), r (1 + ε q), …`, and to first order in ε is left
-///
-/// ```text
-/// r/(1 − r) + ε/(1 − q) (r/(1 − r) − r q/(1 − r q))
-/// ```
-fn left_of(ratio: f64, before: f64) -> f64 {
-    let q = ratio * ratio;
-    let beyond = (before - ratio) * q / (1.0 - q);
-    let limit = ratio - beyond;
-    let whole = limit / (1.0 - limit);
-    let next = beyond * q / limit;
-    if limit > 0.0 && limit < MOST_PERIOD_RATIO {
-        whole + next / (1.0 - q) * (whole - limit * q / (1.0 - limit * q))
-    } else {
-        ratio / (1.0 - ratio)
+    /// What is left after an impact of a series of this period, and its ratio.
+    fn left(&self, p: usize, at: usize) -> Option<(f64, f64)> {
+        let first = at.checked_sub(3 * p)?;
+        left([0, 1, 2, 3].map(|k| self.beats[first + k * p].time))
     }
 }
 
@@ -153,7 +132,7 @@ mod tests {
         let limit = 1.5 / (1.0 - 0.1);
         for i in 0..40 {
             recent.push(beat(t, i % 2));
-            if let Some(series) = recent.series(1e-6) {
+            if let Some(series) = recent.series(1e-6, 1e-9) {
                 assert!((t + series.left - limit).abs() < 1e-14, "{t} {series:?} {limit}");
                 assert_eq!((series.period, series.kept.len()), (2, 2));
                 return;
@@ -172,7 +151,7 @@ mod tests {
             let (mut t, mut interval, mut last, mut closed) = (0.0, 0.1, 0.0, None);
             for _ in 0..400 {
                 recent.push(beat(t, 0));
-                closed = closed.or_else(|| recent.series(0.1).map(|series| (t, last, series)));
+                closed = closed.or_else(|| recent.series(0.1, 1e-4).map(|series| (t, last, series)));
                 t += interval;
                 last = interval;
                 interval *= ratio * (1.0 + bent * interval * interval);
@@ -191,7 +170,7 @@ mod tests {
         let (mut t, mut interval) = (0.0, 1e-3);
         for i in 0..60 {
             recent.push(beat(t, 0));
-            let closed = recent.series(1e-6);
+            let closed = recent.series(1e-6, 1e-9);
             if let Some(series) = closed {
                 assert_eq!(series.period, 2, "after {i}: {series:?}");
                 return;
@@ -207,7 +186,11 @@ mod tests {
         let mut recent = Recent::default();
         for (i, t) in [0.0, 1.0, 1.5, 1.4, 1.42, 1.416].into_iter().enumerate() {
             recent.push(beat(t, 0));
-            assert_eq!(recent.series(10.0).filter(|s| s.ratio <= 0.0 || s.left < 0.0), None, "after {i}");
+            assert_eq!(
+                recent.series(10.0, 1e-2).filter(|s| s.ratio <= 0.0 || s.left < 0.0),
+                None,
+                "after {i}"
+            );
         }
     }
 
@@ -219,7 +202,7 @@ mod tests {
             t += interval;
             recent.push(beat(t, 0));
         }
-        recent.series(2e-3).is_some()
+        recent.series(2e-3, 2e-6).is_some()
     }
 
     /// Of 0.9, 0.09, 0.009 and 0.0009 s there is 0.0001 s left. One short interval after three long ones says nothing of what follows, though with its own ratio
@@ -235,7 +218,7 @@ mod tests {
         let mut recent = Recent::default();
         for i in 0..100 {
             recent.push(beat(f64::from(i) * 1e-3, 0));
-            assert_eq!(recent.series(1e-6), None, "what loses nothing goes on for ever");
+            assert_eq!(recent.series(1e-6, 1e-9), None, "what loses nothing goes on for ever");
         }
     }
 }

@@ -43,6 +43,8 @@ pub(super) struct Walker<'w> {
     /// The latest impacts, the latest limits of series of them, and those of series of such: bounces on a corner, between the corners of an edge, and from edge
     /// to edge. What supports do between impacts, however smoothly they start to slip, stick or open, shrinks with them and ends no series.
     pub(super) recent: [Recent; 3],
+    /// The first strikes of supports that strike one after the other.
+    pub(super) turns: Recent,
     pub(in crate::spatial) impacts: Vec<Impact>,
     pub(in crate::spatial) closings: Vec<Closing>,
     pub(in crate::spatial) drift: f64,
@@ -149,6 +151,7 @@ impl<'w> Walker<'w> {
             departing: Supports::NONE,
             length: 0.0,
             recent: Default::default(),
+            turns: Recent::default(),
             impacts: vec![],
             closings: vec![],
             drift: 0.0,
@@ -187,6 +190,7 @@ impl<'w> Walker<'w> {
     /// To the next event, and through it.
     fn advance(&mut self) -> Result<Option<End>, MotionError> {
         if self.observer.starts(self.time, self.mode, &self.state).is_break() {
+            self.goes_to_the_limit()?;
             return Ok(Some(End::Stopped));
         }
         Ok(match self.glide()? {
