@@ -146,13 +146,13 @@ pub(crate) struct FacesOptions {
     #[arg(long, value_parser = clap::value_parser!(u64).range(16..=1 << 28))]
     pub(crate) throws: Option<u64>,
     /// From what height its lowest point falls, perhaps with a tolerance: "50 ± 10 mm".
-    #[arg(long, value_name = "LENGTH", default_value = "100 mm")]
+    #[arg(long, value_name = "LENGTH", default_value = "100 mm", allow_hyphen_values = true)]
     pub(crate) height: String,
     /// Level speed with which it is thrown, to either side.
-    #[arg(long, value_name = "SPEED", default_value = "0 m/s")]
+    #[arg(long, value_name = "SPEED", default_value = "0 m/s", allow_hyphen_values = true)]
     pub(crate) speed: String,
     /// Spin with which it is thrown, in either sense.
-    #[arg(long, value_name = "SPIN", default_value = "0 rad/s")]
+    #[arg(long, value_name = "SPIN", default_value = "0 rad/s", allow_hyphen_values = true)]
     pub(crate) spin: String,
     /// The plate whose surface the ground has, by name or number from 0 [default: the last].
     #[arg(long, value_name = "PLATE")]

@@ -106,7 +106,7 @@ fn limit<S>(trace: &Happened<S>, k: usize) -> f64 {
     let Some(impact) = trace.strikes.get(k) else { return f64::INFINITY };
     let next = trace.strikes.get(k + 1).map_or(f64::INFINITY, |next| next.time);
     let closes = |(from, to): &&(f64, f64)| *from <= impact.time && impact.time <= *to && *to < next;
-    trace.series.iter().find(closes).map_or(impact.time, |(_, to)| *to)
+    trace.series.iter().rfind(closes).map_or(impact.time, |(_, to)| *to)
 }
 
 /// Runs of strikes, by number, with only short stages between them; the first strike on an obstacle stands alone.
@@ -145,7 +145,8 @@ fn clatter<S: Copy, F: Clone>(
     let (first, last) = (impacts.first()?, impacts.last()?);
     let end_time = limit(trace, *run.end());
     // A series that was closed at its limit goes on to it after the last strike that was followed.
-    let series = trace.series.iter().any(|(_, to)| first.time <= *to && *to <= end_time);
+    let closed = |since: f64| trace.series.iter().any(|(_, to)| since <= *to && *to <= end_time);
+    let series = closed(first.time);
     if !series && impacts.len() < MANY {
         return None;
     }
@@ -174,7 +175,8 @@ fn clatter<S: Copy, F: Clone>(
         end_time,
         start: first.before,
         end,
-        ended_by: StageEnd::Strikes { count: impacts.len(), obstacles: struck, limit: series },
+        // One that was closed on the way may be followed by strikes that come to no limit.
+        ended_by: StageEnd::Strikes { count: impacts.len(), obstacles: struck, limit: closed(last.time) },
         pieces: from..pieces.last().map_or(from, |last| last + 1),
     })
 }

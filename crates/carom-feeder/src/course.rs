@@ -19,8 +19,6 @@ pub(crate) struct Watcher<'o> {
     plates: Vec<Seen>,
     /// The last piece: its start, and how long it lasted [s].
     last_piece: Option<(State, f64)>,
-    /// The limit of a series of impacts that has just been closed [s].
-    limit: Option<f64>,
     /// Whether it has touched each wall.
     walls: Vec<bool>,
 }
@@ -32,11 +30,6 @@ impl Watcher<'_> {
         if let Some(touched) = wall.and_then(|wall| self.walls.get_mut(wall)) {
             *touched = true;
         }
-    }
-
-    /// What comes to rest at the end of a series of impacts does so at its limit [s].
-    fn limit_at(&self, time: f64) -> f64 {
-        self.limit.map_or(time, |limit| limit.max(time))
     }
 }
 
@@ -59,7 +52,6 @@ impl Observer for Watcher<'_> {
 
     fn piece(&mut self, piece: &PieceFacts) {
         self.last_piece = Some((piece.start, piece.end_time - piece.start_time));
-        self.limit = None;
         self.inner.piece(piece);
     }
 
@@ -76,7 +68,6 @@ impl Observer for Watcher<'_> {
     }
 
     fn accumulation(&mut self, from: f64, to: f64) {
-        self.limit = Some(to);
         self.inner.accumulation(from, to);
     }
 
@@ -112,7 +103,7 @@ impl<'o> Watcher<'o> {
         if let Some(plate) = plates.first_mut() {
             plate.first_touch = Some(time);
         }
-        Self { inner, plates, last_piece: None, limit: None, walls: vec![false; prepared.feeder.walls.len()] }
+        Self { inner, plates, last_piece: None, walls: vec![false; prepared.feeder.walls.len()] }
     }
 }
 
@@ -130,9 +121,6 @@ impl<'p, 'f> Course<'p, 'f> {
         loop {
             let happening = walker.advance(&mut watcher)?;
             if let Some(outcome) = self.note(happening, &walker, &mut watcher) {
-                if outcome == Outcome::Landed {
-                    walker.move_on(watcher.limit_at(walker.time()));
-                }
                 return Ok(self.finish(outcome, &walker, &watcher));
             }
         }
@@ -207,7 +195,7 @@ impl<'p, 'f> Course<'p, 'f> {
             turned_here: face.map(|f| Some(f) != face_before),
             face,
             first_touch: watcher.plates[plate].first_touch.unwrap_or(time),
-            flat: face.map(|_| watcher.limit_at(time)),
+            flat: face.map(|_| time),
             impact_speed: 0.0,
             max_impact_speed: 0.0,
             max_sliding_speed: 0.0,

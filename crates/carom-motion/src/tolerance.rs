@@ -322,5 +322,7 @@ pub(crate) const STEADY_RATIO: f64 = 0.01;
 pub(crate) const FAINT_ENERGY: f64 = 1e-15;
 /// Supports this close to the plane on which a body rests lie on it: what a closed series leaves, and rounding.
 pub(crate) const LIES_ON_PLANE: f64 = 1e-9;
+/// What a closed series leaves of the way to the plane is no more than this.
+pub(crate) const MOST_LAID: f64 = 1e-6;
 /// Turns by more than this angle \[rad\] are neither rounding nor what a closed series leaves, and are not made.
 pub(crate) const MOST_SETTLING_TURN: f64 = 1e-4;

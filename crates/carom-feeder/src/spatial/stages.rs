@@ -30,12 +30,12 @@ fn happened(run: &Run) -> Happened<State> {
     }
 }
 
-/// Series that were closed at their limits: a limit may be the last beat of a series of limits, which goes on to its own.
+/// Series that were closed at their limits: a limit may be the last beat of a series of limits, which goes on to its own, from the same last strike.
 fn series(run: &Run) -> Vec<(f64, f64)> {
     let mut found: Vec<(f64, f64)> = vec![];
     for closing in &run.closings {
         match found.last_mut() {
-            Some((_, limit)) if *limit == closing.time => *limit = closing.limit,
+            Some((last, limit)) if [*last, *limit].contains(&closing.time) => *limit = closing.limit,
             _ => found.push((closing.time, closing.limit)),
         }
     }

@@ -186,8 +186,7 @@ pub trait Observer {
         let _ = needed_force;
     }
 
-    /// Infinitely many impacts between these two times [s] were closed at their limit. The limit is right to a millionth of the world's time, and may
-    /// lie after the body has begun to rest: turns of a body that rocks are closed before.
+    /// Infinitely many impacts between these two times [s] were closed at their limit. The limit is right to a millionth of the world's time.
     ///
     /// # Example
     /// A ball strikes first after 0.2 s; its bounces last 0.2 s, 0.1 s, … and are over at 0.6 s. The last few

@@ -358,7 +358,6 @@ pub struct Trace {
     pub pieces: Vec<Piece>,
     /// Impacts.
     pub impacts: Vec<Impact>,
-    /// Accumulations of infinitely many impacts that were closed: time [s] of the first impact counted, and of the limit. It may lie after the piece
-    /// that follows has begun: turns of a body that rocks are closed before.
+    /// Accumulations of infinitely many impacts that were closed: time [s] of the first impact counted, and of the limit to a millionth of the world's time.
     pub accumulations: Vec<(f64, f64)>,
 }

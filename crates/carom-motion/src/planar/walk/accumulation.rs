@@ -1,5 +1,6 @@
 //! Infinitely many impacts in finite time: seen as a geometric series of intervals, closed at its limit.
 
+use super::rocking::Rocking;
 use super::terms::Happening;
 use super::walker::Walker;
 use crate::MotionError;
@@ -128,15 +129,8 @@ impl<const B: usize> Walker<'_, B> {
 
     /// The pairs that a series of impacts is about to bring to rest, if it brings all that are near to rest.
     pub(super) fn at_the_limit(&self, series: &Series) -> Option<Few<Held>> {
-        let way = |s: &State| s.twist.velocity.norm() + s.twist.spin.abs() * self.scales.length;
-        let way = series.left * self.states.iter().map(way).fold(0.0, f64::max);
-        let reach = (10.0 * TOUCHING_GAP * self.scales.length).max(4.0 * way);
-        let (deepest, still) = (DEEPEST_TOUCH * self.scales.length, STILL_SPEED * self.scales.speed);
-        let near = self.world.touching(
-            (&self.states, &self.turns()),
-            &Search { reach, deepest, sides: &self.sides, still, except: None },
-        );
-        let turns = self.turns();
+        let near = self.near_within(series.left, &self.states);
+        let (turns, still) = (self.turns(), STILL_SPEED * self.scales.speed);
         let mut held: Few<Held> = Few::default();
         for pair in near.iter().copied() {
             let k = self.world.kinematics_turned(&self.states, &turns, pair);
@@ -146,6 +140,16 @@ impl<const B: usize> Walker<'_, B> {
             held.push(Held::slipping(pair, k.slip, still));
         }
         Some(held)
+    }
+
+    /// The pairs of bodies in these states that may touch within a short time [s].
+    pub(super) fn near_within(&self, time: f64, states: &[State; B]) -> Few<Pairing> {
+        let way = |s: &State| s.twist.velocity.norm() + s.twist.spin.abs() * self.scales.length;
+        let way = time * self.states.iter().map(way).fold(0.0, f64::max);
+        let reach = (10.0 * TOUCHING_GAP * self.scales.length).max(4.0 * way);
+        let (deepest, still) = (DEEPEST_TOUCH * self.scales.length, STILL_SPEED * self.scales.speed);
+        let search = Search { reach, deepest, sides: &self.sides, still, except: None };
+        self.world.touching((states, &self.turned.of(states)), &search)
     }
 
     /// Infinitely many impacts end here: what bounces is at rest on what it bounced on.
@@ -168,20 +172,8 @@ impl<const B: usize> Walker<'_, B> {
         }
         self.time += series.left;
         self.report_accumulation(series.from, self.time, observers);
-        let happening = self.rest_on(held, observers)?;
-        if alone && happening == Happening::Moves {
-            self.states = self.moved_in(series.left);
-        }
-        Ok(happening)
-    }
-
-    /// What has bounced is at rest on what it bounced on, and is asked what it does there.
-    pub(super) fn rest_on(
-        &mut self,
-        held: &Few<Held>,
-        observers: &mut Observers<'_, B>,
-    ) -> Result<Happening, MotionError> {
         self.recent.end_series(self.time);
+        self.rocking = Rocking::default();
         self.states = self.projected_onto(&self.states, held);
         self.departing.clear();
         self.held.clear();
@@ -189,7 +181,11 @@ impl<const B: usize> Walker<'_, B> {
         for h in held.iter() {
             pairs.push(h.pair);
         }
-        self.collide(&pairs, observers)
+        let happening = self.collide(&pairs, observers)?;
+        if alone && happening == Happening::Moves {
+            self.states = self.moved_in(series.left);
+        }
+        Ok(happening)
     }
 
     /// Where the present mode moves the bodies within a short time [s], or until a slip stops before that: from then on another mode moves them.
@@ -208,17 +204,6 @@ impl<const B: usize> Walker<'_, B> {
         let slips = self.held.iter().filter(|h| h.slip != Slip::Sticks);
         let first = slips.map(share).fold(1.0, f64::min);
         if first < 1.0 { after(first * time) } else { moved }
-    }
-}
-
-impl Walker<'_> {
-    /// Moves the body on in its present mode until a time [s] soon after: to the limit of a series of impacts that an observer has been
-    /// [told of](crate::planar::Observer::accumulation), at which it rests.
-    pub fn move_on(&mut self, until: f64) {
-        if until > self.time {
-            self.states = self.moved_in(until - self.time);
-            self.time = until;
-        }
     }
 }
 

@@ -240,7 +240,7 @@ impl<const B: usize> Walker<'_, B> {
         self.recent.push(self.time);
         self.rocking.note(struck, forced, self.time);
         if let Some((series, held)) = self.rocked() {
-            return self.close_rocking(&series, &held, observers);
+            return self.close_series(&series, &held, observers);
         }
         self.after_strike(struck, &strike, observers)
     }

@@ -1,14 +1,11 @@
 //! A body that rocks: it strikes with two contacts in turn, ever sooner, and comes to rest on both.
 
 use super::accumulation::Series;
-use super::terms::Happening;
 use super::walker::Walker;
-use crate::MotionError;
 use crate::periods::left;
 use crate::planar::contact::{kinematics::Pairing, touching::Few};
 use crate::planar::geometry::State;
 use crate::planar::modes::{line::Line, mode::Held, strike::Struck};
-use crate::planar::record::observer::Observers;
 use crate::tolerance::{MODE_RANK, ROCKING_ERROR, ROCKING_LEFT, ROCKING_MOVE, STILL_SPEED};
 use carom_impact::planar::Slip;
 use carom_num::solve::solve_regular;
@@ -81,8 +78,8 @@ impl Rocking {
 impl<const B: usize> Walker<'_, B> {
     /// Where the body has all but come to rest on the two contacts that it rocks on: the series, and the contacts as they are held from its limit on.
     pub(super) fn rocked(&self) -> Option<(Series, Few<Held>)> {
-        // Of several bodies others may hang on what rocks.
-        if B > 1 {
+        // Others may hang on what rocks, or come to meet it before the limit.
+        if !self.alone {
             return None;
         }
         let (series, pairs) = self.rocking.series(self.scales.time)?;
@@ -99,21 +96,12 @@ impl<const B: usize> Walker<'_, B> {
         if moved > ROCKING_MOVE * self.scales.length {
             return None;
         }
-        Some((series, held))
-    }
-
-    /// The body rests on both contacts from now on: it has the weight of what is left of the series still before it, as if it did not rock, and whatever happens on the way to
-    /// the limit happens.
-    pub(super) fn close_rocking(
-        &mut self,
-        series: &Series,
-        held: &Few<Held>,
-        observers: &mut Observers<'_, B>,
-    ) -> Result<Happening, MotionError> {
-        self.rocking = Rocking::default();
-        self.report_accumulation(series.from, self.time + series.left, observers);
-        self.states = self.stopped(held);
-        self.rest_on(held, observers)
+        // Nor does it come to anything else before the limit, or over an end.
+        let mut states = self.states;
+        states[0].pose.centre += states[0].twist.velocity * series.left;
+        let near = self.near_within(series.left, &states);
+        let stays = near.len() == 2 && both.iter().all(|pair| near.iter().any(|other| other == pair));
+        stays.then_some((series, held))
     }
 
     /// The bodies as the strikes to come leave them, but for what the weight does meanwhile: none of these contacts, two at most, moves along its normal, and each impulse has brought its

@@ -56,6 +56,8 @@ pub struct Walker<'w, const B: usize = 1> {
     pub(in crate::planar) sides: Vec<bool>,
     pub(in crate::planar) recent: Recent,
     pub(in crate::planar) rocking: Rocking,
+    /// No other body is about.
+    pub(super) alone: bool,
     pub(in crate::planar) effort: Effort,
     pub(in crate::planar) margin: Margin,
     /// Impacts without approach in a row at this instant.
@@ -88,7 +90,7 @@ impl<'w> Walker<'w> {
         sides: Vec<bool>,
         options: Options,
     ) -> Result<Self, MotionError> {
-        Self::of_states(Cow::Borrowed(world), [0], [state], sides, options)
+        Ok(Self { alone: true, ..Self::of_states(Cow::Borrowed(world), [0], [state], sides, options)? })
     }
 
     /// The same walk, which [ends](Happening::Swings) once the body swings to and fro without loss and nothing is left that could end it: such
@@ -184,6 +186,7 @@ impl<'w, const B: usize> Walker<'w, B> {
             sides,
             recent: Recent::default(),
             rocking: Rocking::default(),
+            alone: false,
             effort: Effort::default(),
             margin: Margin { value: f64::INFINITY, of: MarginOf::Nothing, time: 0.0 },
             forced: 0,

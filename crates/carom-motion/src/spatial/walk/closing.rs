@@ -34,7 +34,9 @@ impl Walker<'_> {
         if self.world.friction().is_some() && self.turns.latest() != Some(pattern) {
             self.turns.push(beat);
             let closing = (TURNS_EARLIER * self.options.closing).min(MOST_TURNS_LEFT);
+            // What lies down on one face does so from farther off than rounding: elsewhere it would be moved among its other supports.
             if let Some(series) = self.series_of(&self.turns, closing)
+                && self.lies_down(series.kept)
                 && let Closed::Yes(end) = self.close(&series, beat.time + series.left)?
             {
                 self.forget_series();
@@ -65,6 +67,12 @@ impl Walker<'_> {
         recent.series(short, error).filter(|s| s.kept.len() >= fewest)
     }
 
+    /// These supports are points on one face, and keep the body from turning.
+    fn lies_down(&self, kept: Supports) -> bool {
+        let mode = Mode::holding(self.world, kept, self.state.pose());
+        matches!(mode, Mode::Rest { .. }) && self.world.is_of_one_plane(kept) && !self.world.has_pairs(kept)
+    }
+
     /// Closes a series: the supports that any of its impacts keeps rest. If they would not stay, there is no series.
     fn close(&mut self, series: &Series, limit: f64) -> Result<Closed, MotionError> {
         let world = self.world;
@@ -74,10 +82,12 @@ impl Walker<'_> {
         if self.world.friction().is_some() {
             // A face has to come down to where it lies: what is beside it may keep it as it is otherwise.
             if matches!(mode, Mode::Rest { .. }) {
-                self.state = self.laid(series.kept);
+                let Some(state) = self.laid(series.kept) else { return Ok(Closed::Not) };
+                self.state = state;
+                self.measure_heights();
             }
             let Some(state) = self.landed(series.kept, series.left) else {
-                self.state = before.0;
+                (self.state, self.heights) = (before.0, before.3);
                 return Ok(Closed::Not);
             };
             self.state = state;

@@ -14,7 +14,7 @@ use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End};
 use crate::spatial::terms::Choice;
-use crate::tolerance::{CONES_LEFT_AT_ONCE, RESTING_SLIP, SLIPS_AHEAD, WEIGHTLESS};
+use crate::tolerance::{CONES_LEFT_AT_ONCE, MOST_LAID, RESTING_SLIP, SLIPS_AHEAD, WEIGHTLESS};
 use carom_impact::spatial::Conclusion;
 use carom_num::ode8::step_plain;
 use carom_num::{Rotation, Vec3};
@@ -125,19 +125,22 @@ impl<'w> Walker<'w> {
         State { velocity: state.velocity + state.attitude.apply(velocity), spin: state.spin + spin, ..*state }
     }
 
-    /// The state in which all of these supports touch, by the least motion.
-    pub(super) fn laid(&self, kept: Supports) -> State {
+    /// The state in which all of these supports touch, by the least motion; `None` where that is more than what a closed series leaves.
+    pub(super) fn laid(&self, kept: Supports) -> Option<State> {
         let (world, state) = (self.world, &self.state);
         let gap = |i: usize| self.world.normal(i, state.pose()) * measured(world, state, None, i);
         let bearing = |i: usize| Bearing { drive: state.attitude.undo(gap(i)), ..self.bearing(i) };
         let bearings: Vec<Bearing> = kept.iter().map(bearing).collect();
         let (moved, turn) = Grip { body: world.body(), bearings: &bearings }.taken_back();
+        if moved.norm().max(turn.norm() * world.body().reach()) > MOST_LAID * self.scales.length {
+            return None;
+        }
         let attitude = state.attitude.after(Rotation::by(turn));
-        State {
+        Some(State {
             centre: state.centre + state.attitude.apply(moved),
             attitude: Rotation::of(attitude.to_array()).unwrap_or(attitude),
             ..*state
-        }
+        })
     }
 
     /// A support without friction that has to take its velocity away.

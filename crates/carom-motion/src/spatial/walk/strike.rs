@@ -36,7 +36,7 @@ impl Walker<'_> {
     }
 
     /// Measures all heights, over each plane from the lowest support.
-    fn measure_heights(&mut self) {
+    pub(super) fn measure_heights(&mut self) {
         let (world, state) = (self.world, self.state);
         let placed = |i: &usize| measured(world, &state, None, *i);
         for (support, far) in (world.of_faces()..).zip(world.far(&state)) {
