@@ -25,7 +25,7 @@ const MOST_LOOKS: u64 = 1_000_000;
 /// Where no series of impacts is closed the two engines agree so far [s].
 const SAME_TIME: f64 = 1e-9;
 /// A series is closed at its limit, in each engine at another impact. Rocking whose turns follow no ratio ends where rounding takes its gaps away [s].
-const AFTER_SERIES: f64 = 2e-6;
+const AFTER_SERIES: f64 = 1e-5;
 /// Three in four of those whose turns follow one are alike to this [s].
 const AFTER_MOST_SERIES: f64 = 2e-8;
 
