@@ -9,7 +9,7 @@ use crate::{faces, files, pipeline};
 use carom_feeder::Form;
 use carom_figure::senses::slope;
 use carom_num::Vec2;
-use carom_scene::{AnyScene, Approximation, FaceReport, Scene, unit::Dimension};
+use carom_scene::{AnyScene, Approximation, FaceReport, Measure, Scene, unit::Dimension};
 use carom_words::aligned;
 use carom_words::part;
 use clap::Args;
@@ -96,10 +96,6 @@ fn layout(scene: &Scene) -> Layout {
         written: vec![],
     };
     let measures = scene.measures();
-    let written = |plate: usize| {
-        let own = measures.iter().filter(|measure| measure.plate == Some(plate));
-        own.map(|measure| format!("{} {}", measure.name, measure.text)).collect()
-    };
     let pose = feeder.start_state().pose;
     Layout {
         scene: scene.name().to_owned(),
@@ -110,7 +106,7 @@ fn layout(scene: &Scene) -> Layout {
             .map(|(i, p)| {
                 let [begins, ends] = p.slopes();
                 Segment {
-                    written: written(i),
+                    written: written(&measures, i),
                     label: part::obstacle(feeder, i),
                     unbounded: p.unbounded,
                     slope_rad: ends,
@@ -187,6 +183,12 @@ fn deliver<L: Serialize>(
         }
     }
     Ok(())
+}
+
+/// What the scene writes about a plate, of all its measures.
+fn written(measures: &[Measure], plate: usize) -> Vec<String> {
+    let own = measures.iter().filter(|measure| measure.plate == Some(plate));
+    own.map(|measure| format!("{} {}", measure.name, measure.text)).collect()
 }
 
 /// A place of the drawing.

@@ -1,6 +1,6 @@
 //! What a scene with a solid part draws.
 
-use super::{DrawOptions, deliver, point};
+use super::{DrawOptions, deliver, point, written};
 use crate::args::Output;
 use crate::failure::Failure;
 use crate::printed::notes;
@@ -89,8 +89,7 @@ pub(super) fn draw(
     }
     let layout = layout(scene);
     let path = files::write(&output.folder(scene.name()), "layout.svg", &space::layout(scene))?;
-    let written = format!("drawing {}\n", path.display());
-    deliver(&layout, text, &written, output, out)?;
+    deliver(&layout, text, &format!("drawing {}\n", path.display()), output, out)?;
     if options.open { files::open(&path) } else { Ok(()) }
 }
 
@@ -114,11 +113,7 @@ fn layout(scene: &SpaceScene) -> Layout {
         friction: plate.friction,
         restitution: plate.restitution,
         unbounded: plate.unbounded,
-        written: measures
-            .iter()
-            .filter(|measure| measure.plate == Some(i))
-            .map(|measure| format!("{} {}", measure.name, measure.text))
-            .collect(),
+        written: written(&measures, i),
     };
     let wall = |wall: &carom_feeder::spatial::Wall| {
         let (ends_m, z_m) = match wall.form {

@@ -121,9 +121,9 @@ impl<const B: usize> Walker<'_, B> {
         bend < 0.0 && 2.0 * rate < -bend * SERIES_LEFT * self.scales.time
     }
 
-    pub(super) fn report_accumulation(&self, from: f64, to: f64, observers: &mut Observers<'_, B>) {
+    pub(super) fn report_accumulation(&self, from: f64, observers: &mut Observers<'_, B>) {
         for observer in observers.iter_mut().flatten() {
-            observer.accumulation(from, to);
+            observer.accumulation(from, self.time);
         }
     }
 
@@ -171,7 +171,7 @@ impl<const B: usize> Walker<'_, B> {
             }
         }
         self.time += series.left;
-        self.report_accumulation(series.from, self.time, observers);
+        self.report_accumulation(series.from, observers);
         self.recent.end_series(self.time);
         self.rocking = Rocking::default();
         self.states = self.projected_onto(&self.states, held);

@@ -312,7 +312,7 @@ impl<const B: usize> Walker<'_, B> {
         }
         // Others are on the move beside what falls back at once: what speed is left to it is taken away before the contacts are asked.
         if !closed.is_empty() {
-            self.report_accumulation(from, self.time, observers);
+            self.report_accumulation(from, observers);
             self.states = self.projected_onto(&self.stopped(&closed), &closed);
         }
         let happening = self.settle(&asked, observers)?;
