@@ -387,6 +387,22 @@ fn a_tetrahedron_that_friction_strikes_without_end_jams() {
     assert_eq!(feeder.run_untraced().unwrap().outcome, Outcome::Jammed);
 }
 
+/// One corner sticks, and a second comes down so slowly that it is held at once: where friction then lets no motion go on, its approach is what the impact starts with.
+#[test]
+fn a_corner_that_comes_down_slowly_beside_one_that_sticks_comes_to_rest() {
+    for case in [1, 12, 18, 27, 48, 58] {
+        let mut rng = Pcg64::seed_from_u64(case);
+        let (friction, restitution) = (rng.random_range(1.5..8.0), rng.random_range(0.0..0.9));
+        let (turn, speed) = (rng.random_range(0.0..6.0), rng.random_range(0.2..1.0));
+        let start = spatial::Start { to_edge: 0.05, aside: 0.0, turn, speed, face: 0 };
+        let mut feeder = spatial::Feeder { part: tetrahedron(), start, ..examples::two_plates() };
+        for plate in &mut feeder.plates {
+            (plate.friction, plate.restitution) = (friction, restitution);
+        }
+        assert_eq!(feeder.run_untraced().unwrap().outcome, Outcome::Stuck, "case {case}");
+    }
+}
+
 #[test]
 fn runs_end_as_in_the_plane() {
     let with = |friction: f64, lower: Vec2, stop: Stop| {

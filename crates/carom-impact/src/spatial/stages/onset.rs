@@ -57,7 +57,10 @@ impl<const N: usize> Curve<'_, N> {
         let i = self.starts_at_edge(now).or_else(|| self.starts_steeply(y, now))?;
         let (mut y, mut now, mut any) = (*y, *now, false);
         y[i][0] = f64::NEG_INFINITY;
-        let whole = ONSET_STEP * self.leg.fastest / self.leg.largest_response;
+        // The others turn meanwhile, a slow slip faster than a fast one.
+        let others = self.tracked().filter(|&j| j != i).map(|j| self.speed(&y, j));
+        let scale = others.fold(self.leg.fastest, f64::min);
+        let whole = ONSET_STEP * scale / self.leg.largest_response;
         for _ in 0..MOST_ONSET {
             let mut lengths = (0..MOST_HALVINGS).scan(whole, |length, _| {
                 *length *= 0.25;
@@ -65,7 +68,7 @@ impl<const N: usize> Curve<'_, N> {
             });
             let Some(end) = lengths.find_map(|length| self.stepped(&y, &now, i, length)) else { break };
             (y, any) = (end, true);
-            if self.speed(&y, i) > STARTED * self.leg.fastest {
+            if self.speed(&y, i) > STARTED * scale {
                 break;
             }
             now = self.leg.pace(&self.directions(&y))?;

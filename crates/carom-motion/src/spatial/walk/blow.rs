@@ -68,8 +68,8 @@ impl Walker<'_> {
             return Ok(Some(no_motion()));
         }
         let slips = |i: usize| self.slip_of(i) != Vec3::ZERO;
-        // Of one that does not slip nothing but the press would be taken back. Several that have just come down slowly had an approach, which holding them has taken away.
-        let presses = touching.len() == 1 || self.held_of(touching).is_empty();
+        // Where some stick the press alone would be taken back. What has just come down slowly had an approach, which holding it has taken away.
+        let presses = self.held_of(touching) != touching || touching.iter().all(slips);
         let pressed =
             if presses && touching.iter().any(slips) { PRESSING_APPROACHES.as_slice() } else { &[] };
         let pushes = |answer: &Answer| {
@@ -103,7 +103,7 @@ impl Walker<'_> {
     }
 
     /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. `press` is given
-    /// where friction forces the impact: supports that are held approach at it, in units of the motion's speeds.
+    /// where friction forces the impact: supports that have just come down approach at it, or else those that are held, in units of the motion's speeds.
     fn blow(&self, touching: Supports, press: Option<f64>) -> Result<Answer, MotionError> {
         match touching.len() {
             0..=2 => self.blow_sized::<2>(touching, press),
@@ -127,9 +127,14 @@ impl Walker<'_> {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world);
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
-        let came = self.held_of(touching).is_empty() && press.is_some();
-        for (k, _) in touching.iter().enumerate().filter(|(_, i)| came || held.contains(*i)) {
-            set.velocity[k].z = -press.unwrap_or(0.0) * size;
+        let came = touching.difference(held);
+        let approaching = if came.is_empty() { held } else { came };
+        for (k, i) in touching.iter().enumerate() {
+            match press {
+                Some(press) if approaching.contains(i) => set.velocity[k].z = -press * size,
+                _ if held.contains(i) => set.velocity[k].z = 0.0,
+                _ => {}
+            }
         }
         // A bounce from here may be lower than what heights are told from zero by: it would be struck down again before it has risen. Where friction forces the impact it need not be.
         let faint = FAINT_STRIKE * self.scales.speed;
