@@ -7,6 +7,7 @@ mod report;
 pub use located::{LINES, LocatedYield};
 
 use super::wants;
+use carom_feeder::Outcome;
 use carom_impact::Law;
 use carom_scene::{Drawn, Scene, Varied};
 use carom_study::design::Limits;
@@ -227,17 +228,24 @@ fn middle<S: Drawn>(scene: &S, plan: &Plan) -> Ending {
     Dropped::through(Some(scene.feeder()), plan.plate).ending
 }
 
+/// No answer was found: nobody wants that.
+const UNRESOLVED: Ending = Ending::Otherwise(Outcome::Unresolved);
+
 /// What is wanted, in words.
 fn wanted<S: Drawn>(scene: &S, plate: usize, middle: Ending) -> String {
     wants(scene.feeder(), scene.wants()).unwrap_or_else(|| {
         let (ending, plate) = (study::ending(middle), part::obstacle(scene.feeder(), plate));
+        if middle == UNRESOLVED {
+            return format!("nothing is wanted, as the drop where nothing varies ends {ending}; `want` of a plate says what is");
+        }
         format!("{ending} on \"{plate}\", as it ends where nothing varies")
     })
 }
 
-/// Whether a drop ends as the scene wants, or else as the middle of all tolerances does.
+/// Whether a drop ends as the scene wants, or else as the middle of all tolerances does, if that has an answer.
 fn met<S: Drawn>(scene: &S, plate: usize, middle: Ending, run: &RunOf<S>) -> bool {
-    scene.ends_as_wanted(run).unwrap_or_else(|| Ending::of(run, plate) == middle)
+    let as_in_the_middle = || middle != UNRESOLVED && Ending::of(run, plate) == middle;
+    scene.ends_as_wanted(run).unwrap_or_else(as_in_the_middle)
 }
 
 /// Samples of a Sobol index.
