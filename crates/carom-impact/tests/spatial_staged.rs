@@ -294,8 +294,9 @@ fn an_edge_that_hardly_turns_strikes_as_one_contact_of_the_plane() {
         let [a, b, c] = [0, 1, 2].map(|k| 0.1 + random(k));
         let moment = |a: f64, b: f64| (a * a + b * b) / 3.0;
         let turned = Rotation::by(Vec3::Z * (1.5 * random(3)));
-        let corner = turned.apply(Vec3::new(a, -b, 0.0));
-        let arm = Vec2::new(corner.x, -corner.y.abs());
+        // However far it is turned this corner is below the mass centre.
+        let corner = turned.apply(Vec3::new(-a, -b, 0.0));
+        let arm = Vec2::new(corner.x, corner.y);
         let (velocity, spin) = (Vec2::new(2.0 * random(4) - 1.0, -random(5)), 8.0 * random(6) - 4.0);
         let (friction, restitution) = (0.1 + 0.5 * random(7), random(8));
         let touch = planar::Touch { arm, normal: Vec2::new(0.0, 1.0), friction, restitution };

@@ -24,6 +24,8 @@ const OF_SAMPLES: u64 = 8;
 const LEAST_RARE: u64 = 30 * OF_SAMPLES;
 /// Most samples that may be asked for.
 const MOST_SAMPLES: u64 = 1 << 34;
+/// No answer was found: nobody wants that.
+const UNRESOLVED: Ending = Ending::Otherwise(Outcome::Unresolved);
 /// Restitutions under which the laws are compared.
 pub const RESTITUTIONS: [f64; 7] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9];
 
@@ -227,9 +229,6 @@ type RunOf<S> = <<S as Drawn>::Feeder as Device>::Run;
 fn middle<S: Drawn>(scene: &S, plan: &Plan) -> Ending {
     Dropped::through(Some(scene.feeder()), plan.plate).ending
 }
-
-/// No answer was found: nobody wants that.
-const UNRESOLVED: Ending = Ending::Otherwise(Outcome::Unresolved);
 
 /// What is wanted, in words.
 fn wanted<S: Drawn>(scene: &S, plate: usize, middle: Ending) -> String {

@@ -69,7 +69,7 @@ impl Walker<'_> {
         }
         let slips = |i: usize| self.slip_of(i) != Vec3::ZERO;
         // Where some stick the press alone would be taken back. What has just come down slowly had an approach, which holding it has taken away.
-        let presses = self.held_of(touching) != touching || touching.iter().all(slips);
+        let presses = !self.come_down(touching).is_empty() || touching.iter().all(slips);
         let pressed =
             if presses && touching.iter().any(slips) { PRESSING_APPROACHES.as_slice() } else { &[] };
         let pushes = |answer: &Answer| {
@@ -96,10 +96,9 @@ impl Walker<'_> {
         }
     }
 
-    /// Those of these supports that are held.
-    fn held_of(&self, touching: Supports) -> Supports {
-        let held = self.mode.held(self.world);
-        touching.those(|i| held.contains(i))
+    /// Those of these supports that have just come down: the mode does not hold them yet.
+    fn come_down(&self, touching: Supports) -> Supports {
+        touching.difference(self.mode.held(self.world))
     }
 
     /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. `press` is given
@@ -127,7 +126,7 @@ impl Walker<'_> {
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world);
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
-        let came = touching.difference(held);
+        let came = self.come_down(touching);
         let approaching = if came.is_empty() { held } else { came };
         for (k, i) in touching.iter().enumerate() {
             match press {
