@@ -93,7 +93,7 @@ impl<const M: usize> Slacks<M> {
     /// Finds z that makes the smallest slack largest, but not above `cap`, by the simplex method.
     ///
     /// Returns z and that smallest slack; where several z do equally well, one of them. `None` where there is nothing to maximise or it
-    /// does not fit.
+    /// does not fit. The slacks are solved in place: they are of no use afterwards.
     ///
     /// # Example
     /// z ≥ 1 and z ≤ 0 cannot hold both: at ½ each is missed by ½.
@@ -104,7 +104,7 @@ impl<const M: usize> Slacks<M> {
     /// let (z, slack) = slacks.largest_smallest(10.0).unwrap();
     /// assert_eq!((z[0], slack), (0.5, -0.5));
     /// ```
-    pub fn largest_smallest(mut self, cap: f64) -> Option<([f64; M], f64)> {
+    pub fn largest_smallest(&mut self, cap: f64) -> Option<([f64; M], f64)> {
         let fits = self.rows > 0 && self.rows < 2 * M && self.columns < M;
         if !fits {
             return None;
@@ -121,7 +121,7 @@ impl<const M: usize> Slacks<M> {
     ///
     /// z = 0 must be a point where no slack is negative: a constant below zero counts as the rounding of zero.
     ///
-    /// Returns z and the quantity; `None` where it does not fit.
+    /// Returns z and the quantity; `None` where it does not fit. The slacks are solved in place: they are of no use afterwards.
     ///
     /// # Example
     /// Within 0 ≤ z ≤ 4 the quantity 1 − 2 z is largest at 0, and 1 + 2 z at 4.
@@ -133,7 +133,7 @@ impl<const M: usize> Slacks<M> {
     /// assert_eq!((highest(-2.0), highest(2.0)), (Some(1.0), Some(9.0)));
     /// ```
     pub fn highest(
-        mut self,
+        &mut self,
         constant: f64,
         slope: impl Fn(usize) -> f64,
         cap: f64,
@@ -175,10 +175,10 @@ impl<const M: usize> Slacks<M> {
         let p = pivot_column.as_flattened()[row];
         let others = (0..self.columns).filter(|&j| j != column);
         for j in others {
-            replace(&mut self.coefficient[j], &pivot_column, row, p);
+            replace(&mut self.coefficient[j], &pivot_column.as_flattened()[..self.rows], row, p);
         }
-        replace(&mut self.constant, &pivot_column, row, p);
-        pivot_column.as_flattened_mut().iter_mut().for_each(|c| *c *= 1.0 / p);
+        replace(&mut self.constant, &pivot_column.as_flattened()[..self.rows], row, p);
+        pivot_column.as_flattened_mut()[..self.rows].iter_mut().for_each(|c| *c *= 1.0 / p);
         pivot_column.as_flattened_mut()[row] = 1.0 / p;
         self.coefficient[column] = pivot_column;
         std::mem::swap(&mut self.basic.as_flattened_mut()[row], &mut self.nonbasic[column]);
@@ -250,9 +250,9 @@ impl<const M: usize> Slacks<M> {
 }
 
 /// Puts the basic quantity of `row` in the place of the pivot column's in the terms of one column.
-fn replace<const M: usize>(terms: &mut PerSlack<M>, pivot_column: &PerSlack<M>, row: usize, p: f64) {
+fn replace<const M: usize>(terms: &mut PerSlack<M>, pivot_column: &[f64], row: usize, p: f64) {
     let factor = -terms.as_flattened()[row] / p;
-    for (term, c) in terms.as_flattened_mut().iter_mut().zip(pivot_column.as_flattened()) {
+    for (term, c) in terms.as_flattened_mut().iter_mut().zip(pivot_column) {
         *term += factor * c;
     }
     terms.as_flattened_mut()[row] = factor;

@@ -88,7 +88,7 @@ pub fn dot<const M: usize>(a: &[f64; M], b: &[f64; M]) -> f64 {
 
 /// Solves the leading n × n part of `a x = b` where it is regular, by elimination with partial pivoting.
 ///
-/// Returns `None` where a pivot falls below `rank_tolerance` times the largest entry of the matrix.
+/// Returns `None` where a pivot falls below `rank_tolerance` times the largest entry of the matrix. For several right sides see [`Factored`].
 ///
 /// # Example
 /// 2 x + y = 4 and x + 3 y = 7.
@@ -103,7 +103,55 @@ pub fn solve_regular<const M: usize>(
     n: usize,
     rank_tolerance: f64,
 ) -> Option<[f64; M]> {
-    let floor = rank_tolerance * largest(&a, n);
+    factor(&mut a, n, rank_tolerance, |k, p| b.swap(k, p))?;
+    substitute(&a, &mut b, n);
+    Some(b)
+}
+
+/// A regular matrix, factored: many right sides cost little each.
+///
+/// # Example
+/// 2 x + y and x + 3 y.
+/// ```
+/// use carom_num::solve::Factored;
+/// let both = Factored::of([[2.0, 1.0], [1.0, 3.0]], 2, 1e-14).unwrap();
+/// assert_eq!([[4.0, 7.0], [5.0, 5.0]].map(|right| both.solve(right)), [[1.0, 2.0], [2.0, 1.0]]);
+/// assert!(Factored::of([[1.0, 2.0], [2.0, 4.0]], 2, 1e-14).is_none(), "rank 1");
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Factored<const M: usize> {
+    parts: [[f64; M]; M],
+    /// The row that each row was swapped with, in turn.
+    swaps: [usize; M],
+    n: usize,
+}
+
+impl<const M: usize> Factored<M> {
+    /// The leading n × n part of a matrix; `None` where [`solve_regular`] finds it singular.
+    pub fn of(mut parts: [[f64; M]; M], n: usize, rank_tolerance: f64) -> Option<Self> {
+        let mut swaps = [0; M];
+        factor(&mut parts, n, rank_tolerance, |k, p| swaps[k] = p)?;
+        Some(Self { parts, swaps, n })
+    }
+
+    /// The solution for a right side.
+    pub fn solve(&self, mut right: [f64; M]) -> [f64; M] {
+        for (k, p) in self.swaps[..self.n].iter().enumerate() {
+            right.swap(k, *p);
+        }
+        substitute(&self.parts, &mut right, self.n);
+        right
+    }
+}
+
+/// Replaces the leading n × n part of a matrix by its triangular factors, the lower one without its diagonal of ones. Tells every pair of rows that it swaps.
+fn factor<const M: usize>(
+    a: &mut [[f64; M]; M],
+    n: usize,
+    rank_tolerance: f64,
+    mut swapped: impl FnMut(usize, usize),
+) -> Option<()> {
+    let floor = rank_tolerance * largest(a, n);
     for k in 0..n {
         let mut p = k;
         for i in k + 1..n {
@@ -115,17 +163,27 @@ pub fn solve_regular<const M: usize>(
             return None;
         }
         a.swap(k, p);
-        b.swap(k, p);
-        // Entries below the pivot keep their old values: nothing reads them any more.
-        for i in k + 1..n {
-            let factor = a[i][k] / a[k][k];
+        swapped(k, p);
+        let (above, below) = a[..n].split_at_mut(k + 1);
+        let pivot = &above[k][k..n];
+        for row in below {
+            let row = &mut row[k..n];
+            row[0] /= pivot[0];
+            let factor = row[0];
             if factor != 0.0 {
-                for j in k + 1..n {
-                    a[i][j] -= factor * a[k][j];
-                }
-                b[i] -= factor * b[k];
+                row[1..].iter_mut().zip(&pivot[1..]).for_each(|(v, p)| *v -= factor * p);
             }
         }
+    }
+    Some(())
+}
+
+/// Solves with the factors of a matrix, whose rows are in the order of the right side.
+fn substitute<const M: usize>(a: &[[f64; M]; M], b: &mut [f64; M], n: usize) {
+    for i in 1..n {
+        let (before, own) = b.split_at_mut(i);
+        // One after the other, as elimination would.
+        a[i][..i].iter().zip(before).for_each(|(factor, v)| own[0] -= factor * *v);
     }
     for k in (0..n).rev() {
         for j in k + 1..n {
@@ -133,7 +191,6 @@ pub fn solve_regular<const M: usize>(
         }
         b[k] /= a[k][k];
     }
-    Some(b)
 }
 
 fn largest<const M: usize>(a: &[[f64; M]; M], n: usize) -> f64 {

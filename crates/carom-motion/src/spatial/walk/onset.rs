@@ -18,6 +18,8 @@ use carom_num::radau::{self, NODES, STAGES, Setup, Stages};
 const SLOW_CHANGE: f64 = 0.2;
 /// A slip is slow that friction could turn or stop within this fraction of the world's time.
 const SLOW: f64 = 0.02;
+/// Where a body touches it is lighter than all of it, as it turns away: by no more than so many times, unless it is about to jam.
+const LIGHTEST: f64 = 20.0;
 /// Slips that supports of other planes leave less of a turn than this cannot turn.
 const LEAST_FREEDOM: f64 = 1e-3;
 /// The places of the spin, the slip and the spin about the normal in what is integrated.
@@ -35,6 +37,9 @@ impl Sliding<'_> {
             let most = slip.friction * slip.normal.max(0.0) / self.mass();
             if most <= 0.0 || slip.speed == 0.0 {
                 return most > 0.0;
+            }
+            if slip.speed >= SLOW * LIGHTEST * most * self.scales().time {
+                return false;
             }
             let back = self.turned_back(y, rate, &slip);
             let size = most.max(back);
@@ -147,8 +152,10 @@ impl Sliding<'_> {
                 _ => FORCE_DIFFERENCE,
             })
         };
-        let setup = Setup { rate: |y: &Vector| self.rate(y), difference };
-        radau::step::<DIMENSIONS, { STAGES * DIMENSIONS }>(y, guess, length, tolerance, &setup)
+        let setup = Setup { rate: |y: &Vector| self.rate(y), difference, stiff: MOVES };
+        radau::step::<DIMENSIONS, { MOVES.len() }, { STAGES * MOVES.len() }>(
+            y, guess, length, tolerance, &setup,
+        )
     }
 
     /// Guessed rates at the stages of a step: linear from those at the start to those a step later, with the slips that start on their way.
