@@ -34,24 +34,24 @@ pub(in crate::spatial) struct Found<const N: usize> {
 #[derive(Clone, Copy)]
 pub(super) struct Unknowns {
     pub(in crate::spatial) count: usize,
-    of: [(usize, usize); MOST],
+    of: [(u8, u8); MOST],
 }
 
 impl Unknowns {
-    pub(super) fn of(&self) -> &[(usize, usize)] {
-        &self.of[..self.count]
+    pub(super) fn of(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.of[..self.count].iter().map(|(contact, axis)| (usize::from(*contact), usize::from(*axis)))
     }
 
     /// A number for each of them, from its contact and axis.
     pub(super) fn each<const M: usize>(&self, number: impl Fn((usize, usize)) -> f64) -> [f64; M] {
         let mut out = [0.0; M];
-        out.iter_mut().zip(self.of()).for_each(|(out, &of)| *out = number(of));
+        out.iter_mut().zip(self.of()).for_each(|(out, of)| *out = number(of));
         out
     }
 
     /// The contacts whose normal rates are below zero, one bit each.
     pub(super) fn pulled<const M: usize>(&self, x: &[f64; M]) -> u32 {
-        let normal = self.of().iter().zip(x).filter(|((_, axis), x)| *axis == 2 && **x < 0.0);
+        let normal = self.of().zip(x).filter(|((_, axis), x)| *axis == 2 && **x < 0.0);
         normal.fold(0, |bits, ((i, _), _)| bits | 1 << i)
     }
 }
@@ -177,7 +177,7 @@ impl<const N: usize> Hypothesis<'_, N> {
             return Some((self.spread(&x, unknowns), sinks));
         }
         let sprung = self.springs(unknowns, &equations)?.sprung(lifted)?;
-        for (&(i, axis), sink) in unknowns.of().iter().zip(sprung.sinks) {
+        for ((i, axis), sink) in unknowns.of().zip(sprung.sinks) {
             sinks[i] = if axis == 2 { sink } else { sinks[i] };
         }
         Some((self.spread(&sprung.x, unknowns), sinks))
@@ -213,9 +213,9 @@ impl<const N: usize> Hypothesis<'_, N> {
 
     pub(super) fn unknowns(&self) -> Unknowns {
         let mut out = Unknowns { count: 0, of: [(0, 0); MOST] };
-        for (i, g) in self.guess.iter().enumerate().take(self.problem.count) {
+        for (i, g) in (0..).zip(&self.guess[..self.problem.count]) {
             let sticks = g.mode == Mode::Sticks;
-            for (axis, counts) in [sticks, sticks, g.holds].into_iter().enumerate() {
+            for (axis, counts) in (0..).zip([sticks, sticks, g.holds]) {
                 if counts && let Some(place) = out.of.get_mut(out.count) {
                     *place = (i, axis);
                     out.count += 1;
@@ -229,8 +229,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     pub(super) fn equations<const M: usize>(&self, unknowns: &Unknowns) -> Equations<M> {
         let (mut matrix, mut right, mut terms) = ([[0.0; M]; M], [0.0; M], 0.0f64);
         let pull: [Vec3; N] = std::array::from_fn(|j| self.pull(j));
-        let of = &unknowns.of[..unknowns.count];
-        for (k, &(i, axis)) in of.iter().enumerate() {
+        for (k, (i, axis)) in unknowns.of().enumerate() {
             right[k] = -component(self.problem.drive[i], axis);
             let mut of_row = right[k].abs();
             for j in (0..self.problem.count).filter(|&j| self.is_loaded(j)) {
@@ -239,7 +238,7 @@ impl<const N: usize> Hypothesis<'_, N> {
                 of_row += row.norm() * pull[j].norm() * self.problem.base(j).abs();
             }
             terms = terms.max(of_row);
-            for (entry, &(j, by)) in matrix[k].iter_mut().zip(of) {
+            for (entry, (j, by)) in matrix[k].iter_mut().zip(unknowns.of()) {
                 let row = self.problem.operator[i][j].rows[axis];
                 *entry = if by == 2 { row.dot(pull[j]) } else { component(row, by) };
             }
@@ -264,7 +263,7 @@ impl<const N: usize> Hypothesis<'_, N> {
     /// The rates of all contacts that unknowns stand for, base loads left out.
     pub(super) fn direct<const M: usize>(&self, x: &[f64; M], unknowns: &Unknowns) -> [Vec3; N] {
         let mut rates = [Vec3::ZERO; N];
-        for (x, &(i, axis)) in x.iter().zip(&unknowns.of[..unknowns.count]) {
+        for (x, (i, axis)) in x.iter().zip(unknowns.of()) {
             rates[i] += match axis {
                 0 => Vec3::X * *x,
                 1 => Vec3::Y * *x,

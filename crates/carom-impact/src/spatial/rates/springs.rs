@@ -77,11 +77,11 @@ impl<const N: usize> Hypothesis<'_, N> {
 
     /// What small displacements of the bodies make of the unknowns.
     fn displacements<const M: usize>(&self, unknowns: &Unknowns) -> Basis<M> {
-        let column = |&(j, by): &(usize, usize)| {
+        let column = |(j, by): (usize, usize)| {
             let unit = [Vec3::X, Vec3::Y, Vec3::Z][by];
             unknowns.each::<M>(|(i, axis)| self.problem.operator[i][j].rows[axis].dot(unit))
         };
-        let columns = || unknowns.of().iter().map(column);
+        let columns = || unknowns.of().map(column);
         let largest = columns().fold(0.0, |m: f64, c| m.max(dot(&c, &c))).sqrt();
         let mut basis = Basis::NONE;
         columns().for_each(|column| {
@@ -156,7 +156,7 @@ impl<const M: usize> Springs<'_, M> {
 
     /// Sets of contacts that may be lifted, one bit each.
     fn sets(&self) -> Vec<u32> {
-        let of = self.unknowns.of().iter().enumerate().filter(|(_, (_, axis))| *axis == 2);
+        let of = self.unknowns.of().enumerate().filter(|(_, (_, axis))| *axis == 2);
         let holding: Vec<(usize, u32)> = of.map(|(k, (i, _))| (k, 1 << i)).collect();
         if holding.len() > MOST_IN_ALL_SETS {
             let planes = self.planes();

@@ -101,9 +101,11 @@ impl<const N: usize> Course for Curve<'_, N> {
         let mut out = [[0.0; 8]; N];
         let direction = self.directions(y);
         let Some(now) = self.leg.pace(&direction) else { return [[f64::NAN; 8]; N] };
-        let least = self.tracked().map(|i| y[i][0]).fold(f64::INFINITY, f64::min);
-        let sum: f64 = self.tracked().map(|i| exp(least - y[i][0])).sum();
-        let rho = exp(least) / sum;
+        let mut speed = [f64::INFINITY; N];
+        self.tracked().for_each(|i| speed[i] = exp(y[i][0]));
+        let least = speed.iter().copied().fold(f64::INFINITY, f64::min);
+        let sum: f64 = speed.iter().map(|own| least / own).sum();
+        let rho = least / sum;
         let normal = self.normal(y);
         for i in self.leg.contacts() {
             let (p, w) = (now.rates[i], now.response[i]);
@@ -112,10 +114,10 @@ impl<const N: usize> Course for Curve<'_, N> {
             out[i][IMPULSE + 2] = rho * p.z;
             out[i][WORK + 1] = rho * p.z * normal[i];
             if self.leg.is_tracked(i) {
-                let ([x, y_e], share) = (direction[i], exp(least - y[i][0]) / sum);
+                let ([x, y_e], share) = (direction[i], least / speed[i] / sum);
                 out[i][0] = share * (x * w.x + y_e * w.y);
                 out[i][1] = share * (x * w.y - y_e * w.x);
-                out[i][WORK] = rho * exp(y[i][0]) * (x * p.x + y_e * p.y);
+                out[i][WORK] = rho * speed[i] * (x * p.x + y_e * p.y);
             }
         }
         out[0][CLOCK] = rho * now.clock;

@@ -71,6 +71,11 @@ impl Supports {
     /// ```
     #[must_use]
     pub fn with(mut self, support: usize) -> Self {
+        self.insert(support);
+        self
+    }
+
+    fn insert(&mut self, support: usize) {
         let count = self.len();
         let number = u16::try_from(support);
         let place = number.map_or(Ok(count), |number| self.numbers[..count].binary_search(&number));
@@ -83,7 +88,6 @@ impl Supports {
             (Ok(_), Ok(_)) => {}
             _ => self.count = OVERFULL,
         }
-        self
     }
 
     /// True where some had no room: more than [`Supports::TOGETHER`] were put in.
@@ -94,7 +98,7 @@ impl Supports {
     /// let all: Supports = (0..100).collect();
     /// assert!(all.is_overfull() && all.union(Supports::one(7)).is_overfull());
     /// ```
-    pub const fn is_overfull(self) -> bool {
+    pub const fn is_overfull(&self) -> bool {
         self.count == OVERFULL
     }
 
@@ -107,12 +111,12 @@ impl Supports {
     /// assert_eq!(left.union(right).iter().collect::<Vec<_>>(), [0, 1, 2]);
     /// ```
     #[must_use]
-    pub fn union(self, others: Self) -> Self {
-        let mut all = others.iter().fold(self, Self::with);
+    pub fn union(mut self, others: Self) -> Self {
+        others.iter().for_each(|support| self.insert(support));
         if others.is_overfull() {
-            all.count = OVERFULL;
+            self.count = OVERFULL;
         }
-        all
+        self
     }
 
     /// These but for those.
@@ -150,7 +154,7 @@ impl Supports {
     /// assert_eq!(all.those(|support| support > 3), Supports::one(4).with(5));
     /// ```
     #[must_use]
-    pub fn those(self, are: impl Fn(usize) -> bool) -> Self {
+    pub fn those(&self, are: impl Fn(usize) -> bool) -> Self {
         let mut some = Self::NONE;
         for support in self.numbers[..self.len()].iter().filter(|support| are(usize::from(**support))) {
             some.numbers[usize::from(some.count)] = *support;
@@ -170,7 +174,7 @@ impl Supports {
     /// let pair = Supports::one(0).with(3);
     /// assert!(pair.contains(3) && !pair.contains(2));
     /// ```
-    pub fn contains(self, support: usize) -> bool {
+    pub fn contains(&self, support: usize) -> bool {
         u16::try_from(support).is_ok_and(|number| self.numbers[..self.len()].binary_search(&number).is_ok())
     }
 
@@ -181,7 +185,7 @@ impl Supports {
     /// use carom_motion::spatial::Supports;
     /// assert_eq!(Supports::one(0).with(3).with(127).len(), 3);
     /// ```
-    pub fn len(self) -> usize {
+    pub fn len(&self) -> usize {
         usize::from(self.count).min(Self::TOGETHER)
     }
 
@@ -192,7 +196,7 @@ impl Supports {
     /// use carom_motion::spatial::Supports;
     /// assert!(Supports::one(4).difference(Supports::one(4)).is_empty());
     /// ```
-    pub fn is_empty(self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 
@@ -240,7 +244,9 @@ impl fmt::Debug for Supports {
 
 impl FromIterator<usize> for Supports {
     fn from_iter<I: IntoIterator<Item = usize>>(supports: I) -> Self {
-        supports.into_iter().fold(Self::NONE, Self::with)
+        let mut all = Self::NONE;
+        supports.into_iter().for_each(|support| all.insert(support));
+        all
     }
 }
 

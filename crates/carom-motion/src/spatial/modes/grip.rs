@@ -10,6 +10,8 @@ use carom_num::{Basis, Vec3};
 pub(in crate::spatial) const MOST_BEARING: usize = MOST_EXAMINED;
 /// Unknown forces: one for each support that slides, three for each that sticks.
 const MOST: usize = 3 * MOST_BEARING;
+/// What a body can do: no more unknowns than this are determined by it.
+const MOTIONS: usize = 6;
 
 /// A support that carries the body, in body axes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -34,11 +36,15 @@ impl Bearing {
 
     /// The forces in which it pushes, by one unknown each, and along what it must not move.
     pub(in crate::spatial) fn pushes(&self) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
-        let count = if self.sticks { 3 } else { 1 };
-        self.axes.iter().rev().take(count).rev().map(|axis| {
+        self.axes[3 - self.unknowns()..].iter().map(|axis| {
             let force = if self.sticks { *axis } else { *axis - self.toward * self.friction };
             (force, *axis)
         })
+    }
+
+    /// How many unknowns it pushes with.
+    fn unknowns(&self) -> usize {
+        if self.sticks { 3 } else { 1 }
     }
 
     /// The part of a vector along its plane.
@@ -76,17 +82,17 @@ struct Push {
     moment: Vec3,
     linear: Vec3,
     angular: Vec3,
-    /// Along what its support must not move.
+    /// Along what its support must not move, and what a unit force along that has as its moment.
     axis: Vec3,
+    lever: Vec3,
 }
 
 impl Push {
     /// So many times as much of it.
     fn scaled(&self, by: f64) -> Self {
-        let Self { of, axis, .. } = *self;
         let [force, moment] = [self.force, self.moment].map(|v| v * by);
         let [linear, angular] = [self.linear, self.angular].map(|v| v * by);
-        Self { of, force, moment, linear, angular, axis }
+        Self { force, moment, linear, angular, ..*self }
     }
 
     /// What is left of it without these, which are of size one and square to each other; twice, for the rounding of the first time.
@@ -102,6 +108,16 @@ impl Push {
     /// The square of its size, by the body's own mass.
     fn square(&self) -> f64 {
         self.force.dot(self.linear) + self.moment.dot(self.angular)
+    }
+
+    /// What moves along its axis where the body accelerates so.
+    fn moved(&self, linear: Vec3, angular: Vec3) -> f64 {
+        self.axis.dot(linear) + self.lever.dot(angular)
+    }
+
+    /// Response along the axis of another one to a unit of this: acceleration of its support [1/kg].
+    fn moves_along(&self, of: &Self) -> f64 {
+        of.moved(self.linear, self.angular)
     }
 
     /// What it moves supports by, along what each of these must not move.
@@ -124,6 +140,41 @@ impl Push {
 
 fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// What these motions span.
+fn spanned<const M: usize>(mut motions: [[f64; M]; MOTIONS]) -> Basis<M> {
+    let mut basis = Basis::NONE;
+    let square = |motion: &[f64; M]| dot(motion, motion);
+    let largest = |motions: &[[f64; M]; MOTIONS]| {
+        motions.iter().copied().max_by(|a, b| square(a).total_cmp(&square(b))).unwrap_or([0.0; M])
+    };
+    let floor = MODE_RANK.sqrt() * square(&largest(&motions)).sqrt();
+    // The one with the most that is new comes first: what is left of those that depend on others is then rounding.
+    while basis.take(largest(&motions), floor) {
+        let axis = basis.axes()[basis.axes().len() - 1];
+        for motion in &mut motions {
+            let along = dot(motion, &axis);
+            motion.iter_mut().zip(&axis).for_each(|(v, a)| *v -= along * a);
+        }
+    }
+    basis
+}
+
+/// The forces that do what is asked of them where they alone can: `None` where they share it with others.
+fn alone<const M: usize>(pushes: &[Push], right: &[f64; M]) -> Option<[f64; M]> {
+    if pushes.len() > MOTIONS {
+        return None;
+    }
+    let (mut matrix, mut asked) = ([[0.0; MOTIONS]; MOTIONS], [0.0; MOTIONS]);
+    asked.iter_mut().zip(right).for_each(|(asked, right)| *asked = *right);
+    for (row, of) in matrix.iter_mut().zip(pushes) {
+        row.iter_mut().zip(pushes).for_each(|(entry, by)| *entry = by.moves_along(of));
+    }
+    let found = solve_regular(matrix, asked, pushes.len(), MODE_RANK)?;
+    let mut x = [0.0; M];
+    x.iter_mut().zip(found).for_each(|(x, found)| *x = found);
+    Some(x)
 }
 
 /// The axes along which pushes are to bring what they are short of: of size one and square to each other, without those along which rounding would be multiplied.
@@ -168,7 +219,8 @@ impl Grip<'_> {
     ///
     /// Supports that almost say the same contradict each other by rounding, and what would reconcile them is no rounding any more: the one that asks for it is left as it is.
     pub(in crate::spatial) fn taken_back(&self) -> (Vec3, Vec3) {
-        let pushes = self.pushes();
+        let mut pushes = vec![Push::default(); self.unknowns()];
+        self.fill(&mut pushes);
         let short: Vec<f64> = pushes.iter().map(|of| -self.bearings[of.of].drive.dot(of.axis)).collect();
         let (mut velocity, mut spin) = (Vec3::ZERO, Vec3::ZERO);
         let mut square: Vec<(Vec<f64>, Push)> = vec![];
@@ -190,89 +242,80 @@ impl Grip<'_> {
     }
 
     fn answer(&self, exact: bool) -> Option<Reactions> {
-        let pushes = &self.pushes()[..];
-        match pushes.len() {
-            0 => Some(self.of(&[], pushes, 1.0)),
+        match self.unknowns() {
+            0 => Some(self.of(&[], &[], 1.0)),
             1 => {
-                let one = &pushes[0];
-                let own = self.moved_along(one, one);
-                let normal = -self.bearings[0].drive.dot(one.axis) / own;
-                Some(self.of(&[normal], pushes, own * self.body.mass()))
+                let mut one = [Push::default()];
+                self.fill(&mut one);
+                let [one] = one;
+                let own = one.moves_along(&one);
+                let normal = -self.bearings[one.of].drive.dot(one.axis) / own;
+                Some(self.of(&[normal], &[one], own * self.body.mass()))
             }
-            2..=4 => self.solved::<4>(pushes, exact),
-            5..=10 => self.solved::<10>(pushes, exact),
-            11..=24 => self.solved::<24>(pushes, exact),
-            _ => self.solved::<MOST>(pushes, exact),
+            count @ 2..=MOTIONS => self.solved::<MOTIONS>(count, exact),
+            count @ 7..=12 => self.solved::<12>(count, exact),
+            count @ 13..=24 => self.solved::<24>(count, exact),
+            count => self.solved::<MOST>(count, exact),
         }
     }
 
-    fn pushes(&self) -> Vec<Push> {
-        let mut pushes = Vec::with_capacity(3 * self.bearings.len());
+    /// How many unknowns there are.
+    fn unknowns(&self) -> usize {
+        self.bearings.iter().map(Bearing::unknowns).sum()
+    }
+
+    /// What the supports push with, one place for each unknown.
+    fn fill(&self, pushes: &mut [Push]) {
+        let mut places = pushes.iter_mut();
         for (of, b) in self.bearings.iter().enumerate() {
-            pushes.extend(b.pushes().map(|(force, axis)| {
+            // Those of the support come first: the places end where the unknowns do.
+            for ((force, axis), place) in b.pushes().zip(&mut places) {
                 let moment = b.arm.cross(force);
                 let (linear, angular) = (force / self.body.mass(), self.body.mobility() * moment);
-                Push { of, force, moment, linear, angular, axis }
-            }));
-        }
-        pushes
-    }
-
-    /// Response of the constraint `of` to a unit force of the push `by`: acceleration of its support along its axis [1/kg].
-    fn moved_along(&self, by: &Push, of: &Push) -> f64 {
-        of.axis.dot(by.linear + by.angular.cross(self.bearings[of.of].arm))
-    }
-
-    fn solved<const M: usize>(&self, pushes: &[Push], exact: bool) -> Option<Reactions> {
-        let (mut matrix, mut right) = ([[0.0; M]; M], [0.0; M]);
-        for (k, of) in pushes.iter().enumerate() {
-            for (l, by) in pushes.iter().enumerate() {
-                matrix[k][l] = self.moved_along(by, of);
+                *place = Push { of, force, moment, linear, angular, axis, lever: b.arm.cross(axis) };
             }
-            right[k] = -self.bearings[of.of].drive.dot(of.axis);
         }
-        if let Some(x) = solve_regular(matrix, right, pushes.len(), MODE_RANK) {
-            return Some(self.of(&x, pushes, 1.0));
+    }
+
+    fn solved<const M: usize>(&self, count: usize, exact: bool) -> Option<Reactions> {
+        let (mut pushes, mut right) = ([Push::default(); M], [0.0; M]);
+        let pushes = &mut pushes[..count];
+        self.fill(pushes);
+        for (right, push) in right.iter_mut().zip(&*pushes) {
+            *right = -self.bearings[push.of].drive.dot(push.axis);
         }
-        let x = self.sprung(&matrix, &right, pushes, exact)?;
+        let x = alone(pushes, &right).or_else(|| self.sprung(pushes, &right, exact))?;
         Some(self.of(&x, pushes, 1.0))
     }
 
     /// The forces of equal springs, where supports that hold more than they must share what they carry: each in proportion to how far the body sinks in there.
-    fn sprung<const M: usize>(
-        &self,
-        matrix: &[[f64; M]; M],
-        right: &[f64; M],
-        pushes: &[Push],
-        exact: bool,
-    ) -> Option<[f64; M]> {
-        let moved = |by: &Push| {
-            let (force, moment) = (by.axis, self.bearings[by.of].arm.cross(by.axis));
-            (force / self.body.mass(), self.body.mobility() * moment)
-        };
-        let (mut basis, mut columns) = (Basis::NONE, [[0.0; M]; M]);
-        for (column, by) in columns.iter_mut().zip(pushes) {
-            let (linear, angular) = moved(by);
-            for (entry, of) in column.iter_mut().zip(pushes) {
-                *entry = of.axis.dot(linear + angular.cross(self.bearings[of.of].arm));
-            }
+    ///
+    /// A body has six motions, however many supports it has: what they make of all supports is what can be asked for.
+    fn sprung<const M: usize>(&self, pushes: &[Push], right: &[f64; M], exact: bool) -> Option<[f64; M]> {
+        let mobility = self.body.mobility();
+        // Turns in a unit in which they take as much to start as ways do.
+        let [a, b, c] = mobility.rows;
+        let turn = (self.body.mass() * (a.x + b.y + c.z) / 3.0).sqrt();
+        let mut motions = [[0.0; M]; MOTIONS];
+        for (k, push) in pushes.iter().enumerate() {
+            let (way, by) = (push.axis.to_array(), (push.lever * turn).to_array());
+            (0..3).for_each(|i| (motions[i][k], motions[i + 3][k]) = (way[i], by[i]));
         }
-        let largest = columns.iter().fold(0.0, |m: f64, c| m.max(dot(c, c))).sqrt();
-        // The one with the most that is new comes first: what is left of those that depend on others is then rounding.
-        let square = |column: &[f64; M]| dot(column, column);
-        while let Some(next) = columns[..pushes.len()]
-            .iter()
-            .map(|column| basis.left(*column))
-            .max_by(|a, b| square(a).total_cmp(&square(b)))
-            && basis.take(next, MODE_RANK * largest)
-        {}
+        let basis = spanned(motions);
         let axes = basis.axes();
-        let (mut along, mut must) = ([[0.0; M]; M], [0.0; M]);
+        let (mut along, mut must) = ([[0.0; MOTIONS]; MOTIONS], [0.0; MOTIONS]);
         for (a, axis) in axes.iter().enumerate() {
             must[a] = dot(axis, right);
-            let does: [f64; M] =
-                std::array::from_fn(|c| (0..pushes.len()).map(|k| axis[k] * matrix[k][c]).sum());
-            along[a].iter_mut().zip(axes).for_each(|(entry, other)| *entry = dot(&does, other));
+            // What the forces along this axis do to the body, and that to the supports.
+            let all = axis.iter().zip(pushes);
+            let [force, moment] = all.fold([Vec3::ZERO; 2], |[force, moment], (share, push)| {
+                [force + push.force * *share, moment + push.moment * *share]
+            });
+            let (linear, angular) = (force / self.body.mass(), mobility * moment);
+            for (other, row) in axes.iter().zip(&mut along) {
+                let moved = other.iter().zip(pushes);
+                row[a] = moved.map(|(share, of)| share * of.moved(linear, angular)).sum();
+            }
         }
         let size = |v: &[f64; M]| v.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         if exact && size(&basis.left(*right)) > MODE_RANK * size(right) {
