@@ -72,8 +72,7 @@ fn deepest(feeder: &Feeder, run: &Run) -> f64 {
     let (size, corners) = (body.reach(), body.supports());
     let radius = body.rounding().unwrap_or_default();
     let edges = edges(&feeder.part);
-    let sheets: Vec<[Vec3; 4]> =
-        feeder.plates.iter().flat_map(|plate| plate.corners(size).into_iter().chain(plate.sides())).collect();
+    let sheets: Vec<([Vec3; 4], f64)> = feeder.plates.iter().flat_map(|plate| plate.sheets(size)).collect();
     let mut deepest = 0.0_f64;
     for (_, _, state) in &run.samples.instants {
         let place = |i: usize| state.place(corners[i]);
@@ -87,10 +86,10 @@ fn deepest(feeder: &Feeder, run: &Run) -> f64 {
                 .iter()
                 .map(|face| face.corners.iter().map(|i| place(*i)).collect())
                 .collect(),
-            radius,
         };
-        let near = |sheet: &&[Vec3; 4]| is_near(state, size, sheet);
-        deepest = sheets.iter().filter(near).map(|sheet| solid.depth(sheet)).fold(deepest, f64::max);
+        let near = |(sheet, round): &&([Vec3; 4], f64)| is_near(state, size + round, sheet);
+        let depth = |(sheet, round): &([Vec3; 4], f64)| solid.depth(sheet, radius + round);
+        deepest = sheets.iter().filter(near).map(depth).fold(deepest, f64::max);
         for wall in &feeder.walls {
             if let WallForm::Beside { z } = wall.form {
                 let beyond = |corner: &Vec3| corner.z * z.signum() - z.abs();
@@ -117,23 +116,22 @@ fn edges(part: &Part) -> Vec<[usize; 2]> {
     all.filter(|[a, b]| a < b).collect()
 }
 
-/// A convex solid in its place, with a ball of a radius about all of its places.
+/// A convex solid in its place.
 struct Convex {
     corners: Vec<Vec3>,
     edges: Vec<[Vec3; 2]>,
     normals: Vec<Vec3>,
     faces: Vec<Vec<Vec3>>,
-    radius: f64,
 }
 
 impl Convex {
-    /// How far a sheet has to be moved at least to leave it; 0 where it is beside it.
-    fn depth(&self, sheet: &[Vec3; 4]) -> f64 {
+    /// How far a sheet has to be moved at least to leave it, where balls of these radii, together, are about all places of both; 0 where it is beside it.
+    fn depth(&self, sheet: &[Vec3; 4], radius: f64) -> f64 {
         let sharp = self.sharp_depth(sheet);
-        if self.radius == 0.0 || sharp > 0.0 {
-            return if sharp > 0.0 { sharp + self.radius } else { 0.0 };
+        if radius == 0.0 || sharp > 0.0 {
+            return if sharp > 0.0 { sharp + radius } else { 0.0 };
         }
-        (self.radius - self.distance(sheet)).max(0.0)
+        (radius - self.distance(sheet)).max(0.0)
     }
 
     /// How far a sheet beside the sharp one is from it: between edges, or from a corner of one to a face of the other.
@@ -240,6 +238,7 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
             edge,
             width,
             roll: if rng.random_bool(0.5) { draw::between(rng, -0.2, 0.2) } else { 0.0 },
+            edge_radius: 0.0,
             side_walls: if width.is_some() && rng.random_bool(0.5) {
                 size * draw::between(rng, 0.2, 2.0)
             } else {
@@ -271,5 +270,11 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
     let stop = if rng.random_bool(0.5) { Stop::Landed } else { Stop::Delivered };
     let law = draw::law(rng);
     let part = rounded(rng, part);
+    if rng.random_bool(0.2) {
+        for plate in &mut plates {
+            let short = plate.width.unwrap_or(size).min((plate.edge - plate.uphill).norm()).min(size);
+            plate.edge_radius = short * draw::across(rng, 0.01, 0.4);
+        }
+    }
     Some(Feeder { gravity: 9.81, stop, law, part, start, plates, walls })
 }

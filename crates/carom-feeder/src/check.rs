@@ -65,6 +65,20 @@ impl Findings {
         }
     }
 
+    /// The radius of the edges of a sheet in space, whose shortest side is so long, beside the body that meets it.
+    pub(crate) fn edge_radius(
+        &mut self,
+        of: Of<'_>,
+        radius: f64,
+        side: f64,
+        body: &carom_motion::spatial::Body,
+    ) {
+        let told = radius == 0.0 || radius >= carom_motion::spatial::Body::LEAST_ROUNDING * body.reach();
+        let fits = (0.0..0.5 * side).contains(&radius);
+        let allowed = "0 for a thin sheet, or at least 0.00001 of the part's size, and less than half of the sheet's sides";
+        self.demand(told && fits, of.key("edge_radius"), radius, allowed);
+    }
+
     pub(crate) fn surface(&mut self, of: Of<'_>, friction: f64, restitution: f64) {
         let fine = friction.is_finite() && friction >= 0.0;
         self.demand(fine, of.key("friction"), friction, "0 or more");

@@ -114,6 +114,7 @@ pub(crate) fn in_space(feeder: &Feeder, part: spatial::Part) -> spatial::Feeder 
         width: None,
         roll: 0.0,
         side_walls: 0.0,
+        edge_radius: plate.form.edge_radius,
         friction: plate.friction,
         restitution: plate.restitution,
         unbounded: plate.unbounded,

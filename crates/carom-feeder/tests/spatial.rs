@@ -39,6 +39,8 @@ struct Scene {
     lower: Vec2,
     /// Of the box's edges; its faces stay where they are.
     radius: f64,
+    /// Of the plates' edges.
+    sheet: f64,
 }
 
 impl Scene {
@@ -50,7 +52,7 @@ impl Scene {
         let friction = rng.random_range(0.05..0.6 * tan(slopes[0]));
         let restitution = if case.is_multiple_of(2) { 0.0 } else { rng.random_range(0.0..0.4) };
         let lower = Vec2::new(rng.random_range(-0.2..-0.1), -rng.random_range(0.1..0.2));
-        Self { edges, slopes, friction, restitution, speed: 0.0, lower, radius: 0.0 }
+        Self { edges, slopes, friction, restitution, speed: 0.0, lower, radius: 0.0, sheet: 0.0 }
     }
 
     /// Uphill ends and free edges.
@@ -68,7 +70,7 @@ impl Scene {
             friction: self.friction,
             restitution: self.restitution,
             unbounded: false,
-            form: Form::default(),
+            form: Form { edge_radius: self.sheet, ..Form::default() },
         };
         let [length, height, _] = self.edges;
         let inertia = 0.05 * (length * length + height * height) / 12.0;
@@ -164,6 +166,20 @@ fn rounded_boxes_go_through_feeders_as_in_the_plane() {
         differ(case, &Scene { radius, ..scene }, vec![])
     };
     told("300 rounded boxes", (0..ROUNDED).into_par_iter().map(one).collect());
+}
+
+/// They roll over the round ends of sheets, sharp ones and rounded ones.
+#[test]
+fn boxes_go_over_round_sheets_as_in_the_plane() {
+    let one = |case: u64| {
+        let scene = Scene::drawn(case);
+        let thin = scene.edges.into_iter().fold(f64::INFINITY, f64::min);
+        let mut rng = Pcg64::seed_from_u64(3000 + case);
+        let sheet = rng.random_range(0.0005..0.01);
+        let radius = if case.is_multiple_of(3) { thin * rng.random_range(0.05..0.45) } else { 0.0 };
+        differ(case, &Scene { radius, sheet, ..scene }, vec![])
+    };
+    told("300 boxes on round sheets", (0..ROUNDED).into_par_iter().map(one).collect());
 }
 
 /// With a friction of 1 to 6 a box that starts at a speed trips: over its front edge, by an impact without approach where no motion is consistent (Painlevé's paradox).

@@ -36,17 +36,17 @@ fn drawing(feeder: &Feeder) -> Option<carom_feeder::Feeder> {
         friction: plate.friction,
         restitution: plate.restitution,
         unbounded: plate.unbounded,
-        form: Form::default(),
+        form: Form { edge_radius: plate.edge_radius, ..Form::default() },
     });
     let walls = feeder.walls.iter().filter_map(|wall| match wall.form {
         WallForm::Beside { .. } => None,
-        WallForm::Across { from, to } => Some(Wall {
+        WallForm::Across { from, to, edge_radius } => Some(Wall {
             name: wall.name.clone(),
             from,
             to,
             friction: wall.friction,
             restitution: wall.restitution,
-            form: Form::default(),
+            form: Form { edge_radius, ..Form::default() },
         }),
     });
     // The disc only makes room for the part in the view: it is not drawn.
@@ -120,7 +120,10 @@ mod tests {
             restitution: 0.0,
         };
         feeder.walls = vec![
-            wall("stop", WallForm::Across { from: Vec2::new(0.1, 0.0), to: Vec2::new(0.1, -0.3) }),
+            wall(
+                "stop",
+                WallForm::Across { from: Vec2::new(0.1, 0.0), to: Vec2::new(0.1, -0.3), edge_radius: 0.0 },
+            ),
             wall("front wall", WallForm::Beside { z: 0.1 }),
         ];
         let flat = drawing(&feeder).unwrap();

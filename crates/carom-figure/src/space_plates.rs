@@ -101,22 +101,20 @@ fn nearest_on([from, to]: [Vec3; 2], distance: impl Fn(Vec3) -> f64) -> Vec3 {
 }
 
 /// The polygons of every plate and wall: a sheet, then the walls along its sides.
-fn outlines(feeder: &Feeder, size: f64, region: Region) -> Vec<Vec<[Vec3; 4]>> {
-    let plates =
-        feeder.plates.iter().map(|plate| plate.corners(size).into_iter().chain(plate.sides()).collect());
-    plates.chain(feeder.walls.iter().map(|wall| vec![wall_outline(wall, region)])).collect()
+fn outlines(feeder: &Feeder, size: f64, region: Region) -> Vec<Vec<Vec<Vec3>>> {
+    let plates = feeder.plates.iter().map(|plate| plate.polygons(size));
+    plates.chain(feeder.walls.iter().map(|wall| wall_outline(wall, region))).collect()
 }
 
 /// A wall, a little larger than what is shown where it has no end.
-fn wall_outline(wall: &Wall, region: Region) -> [Vec3; 4] {
+fn wall_outline(wall: &Wall, region: Region) -> Vec<Vec<Vec3>> {
     let Region { low, high } = region.widened((region.high - region.low).norm());
     match wall.form {
-        WallForm::Across { from, to } => {
-            let at = |place: Vec2, z: f64| Vec3::new(place.x, place.y, z);
-            [at(from, high.z), at(from, low.z), at(to, low.z), at(to, high.z)]
+        WallForm::Across { .. } => wall.polygons(low.z.abs().max(high.z.abs())),
+        WallForm::Beside { z } => {
+            let corners = [(low.x, low.y), (high.x, low.y), (high.x, high.y), (low.x, high.y)];
+            vec![corners.map(|(x, y)| Vec3::new(x, y, z)).to_vec()]
         }
-        WallForm::Beside { z } => [(low.x, low.y), (high.x, low.y), (high.x, high.y), (low.x, high.y)]
-            .map(|(x, y)| Vec3::new(x, y, z)),
     }
 }
 

@@ -250,7 +250,7 @@ pub(crate) fn plates(feeder: &Feeder) -> Markup {
     };
     let wall = |(i, wall): (usize, &Wall)| {
         let length = match wall.form {
-            WallForm::Across { from, to } => millimetres((to - from).norm()),
+            WallForm::Across { from, to, .. } => millimetres((to - from).norm()),
             WallForm::Beside { .. } => "without ends".to_owned(),
         };
         html! {

@@ -85,6 +85,27 @@ fn the_numbers_of_the_player_are_numbers() {
     assert!(plates.contains("true"), "what is as wide as needed is cut: {plates}");
 }
 
+/// Two sides, and eight facets along each of four edges, of which one has the name.
+#[test]
+fn a_sheet_with_round_edges_is_drawn_as_thick_as_it_is() {
+    let mut feeder = examples::two_plates();
+    feeder.plates[1].width = Some(0.08);
+    feeder.plates[1].edge_radius = 0.003;
+    let polygons = feeder.plates[1].polygons(feeder.part.body.reach());
+    assert_eq!(polygons.len(), 2 + 4 * 8);
+    let down = feeder.plates[1].edge - feeder.plates[1].uphill;
+    let up = carom_num::Vec3::new(-down.y, down.x, 0.0).unit().unwrap();
+    let up = if up.y > 0.0 { up } else { -up };
+    let ends = feeder.plates[1].uphill;
+    let low =
+        polygons.iter().flatten().map(|corner| up.dot(*corner - carom_num::Vec3::new(ends.x, ends.y, 0.0)));
+    let [low, high] = low.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+    assert!(high.abs() < 1e-15 && (low + 0.006).abs() < 1e-15, "{low} {high}");
+    let page = page(&feeder);
+    let (_, plates) = numbers(&page).split_once("\"plates\":").expect("there are plates");
+    assert!(plates.matches("[\"\",").count() > 20, "its facets: {plates}");
+}
+
 #[test]
 fn what_limits_the_verdict_stands_below_it() {
     let feeder = examples::two_plates();

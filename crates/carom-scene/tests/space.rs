@@ -58,7 +58,7 @@ fn all_problems_of_a_scene_are_told() {
         [[plate]]
         slope = "15 deg"
         side_walls = "10 mm"
-        edge_radius = "1 mm"
+        bend_radius = "1 mm"
         [feed]
         parts = 3
     "#;
@@ -70,7 +70,7 @@ fn all_problems_of_a_scene_are_told() {
         "contact.friction",
         "start.face",
         "plate.0.width",
-        "plate.0.edge_radius",
+        "plate.0.bend_radius",
         "feed",
     ] {
         assert!(paths.contains(&path), "{path} is not among {paths:?}");
@@ -118,6 +118,31 @@ fn the_edges_of_a_part_may_be_round() {
     {
         let unfit = problems(&text.replace("2 mm", radius)).to_string();
         assert!(unfit.contains("part.corner_radius") && unfit.contains(said), "{unfit}");
+    }
+}
+
+/// The part lies on the upper side of a sheet, wherever its middle is, and lands on the other one.
+#[test]
+fn plates_and_walls_may_be_sheets_with_round_edges() {
+    let round = |radius: &str| {
+        let walled =
+            "[[wall]]\nname = \"stop\"\nfrom = [\"80 mm\", \"-170 mm\"]\nto = [\"80 mm\", \"-100 mm\"]";
+        let text =
+            BAR.replace("width = \"60 mm\"", &format!("width = \"60 mm\"\n    edge_radius = \"{radius}\""));
+        format!("{text}\n{walled}\nedge_radius = \"{radius}\"\n")
+    };
+    let scene = SpaceScene::parse("round.toml", &round("2 ± 0.1 mm")).unwrap();
+    let thin = SpaceScene::parse("bar.toml", BAR).unwrap();
+    assert_eq!(scene.feeder().start_state(), thin.feeder().start_state());
+    let paths: Vec<String> = scene.quantities().into_iter().map(|quantity| quantity.path).collect();
+    for path in ["plate.upper.edge_radius", "wall.stop.edge_radius"] {
+        assert!(paths.iter().any(|own| own == path), "{path} is not among {paths:?}");
+    }
+    let run = scene.feeder().run().unwrap();
+    assert_eq!(run.outcome, Outcome::Landed);
+    let thick = problems(&round("31 mm")).to_string();
+    for said in ["plate.upper.edge_radius: 31 mm is out of range", "less than half of the sheet's sides"] {
+        assert!(thick.contains(said), "{said}: {thick}");
     }
 }
 

@@ -117,7 +117,7 @@ fn layout(scene: &SpaceScene) -> Layout {
     };
     let wall = |wall: &carom_feeder::spatial::Wall| {
         let (ends_m, z_m) = match wall.form {
-            WallForm::Across { from, to } => (Some([from, to].map(pair)), None),
+            WallForm::Across { from, to, .. } => (Some([from, to].map(pair)), None),
             WallForm::Beside { z } => (None, Some(z)),
         };
         Wall { name: wall.name.clone(), ends_m, z_m, friction: wall.friction, restitution: wall.restitution }

@@ -1,13 +1,14 @@
 //! A feeder made ready, and its run.
 
 use super::course::Watcher;
-use super::feeder::{Feeder, Plate, Start, Wall, WallForm};
+use super::feeder::{Feeder, Start, WallForm};
 use super::run::Run;
+use super::sheets::obstacle;
 use crate::check::{Findings, Of};
 use crate::drop::RunError;
 use crate::feeder::FeederProblem;
-use crate::tolerance::{CROSSES_START, FARTHEST, NO_LENGTH, ON_ONE_LINE, OPPOSITE, VERTICAL, WIDE};
-use carom_motion::spatial::{Friction, Obstacle, Options, Plane, State, Supports, Touch, World};
+use crate::tolerance::{CROSSES_START, FARTHEST, NO_LENGTH, ON_ONE_LINE, OPPOSITE, VERTICAL};
+use carom_motion::spatial::{Friction, Options, State, Supports, Touch, World};
 use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
 use std::f64::consts::PI;
@@ -21,66 +22,6 @@ pub struct Prepared<'f> {
     /// For each obstacle of the world the plate or wall that it is of: plates first, then walls.
     pub(super) owners: Vec<usize>,
     pub(super) options: Options,
-}
-
-/// Axes of a plate, world axes: downhill, out of its upper side, and across it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Axes {
-    pub(super) downhill: Vec3,
-    pub(super) up: Vec3,
-    pub(super) across: Vec3,
-}
-
-impl Plate {
-    /// The axes of the plate; `None` where it has no length.
-    pub(super) fn axes(&self) -> Option<Axes> {
-        let run = (self.edge - self.uphill).unit()?;
-        let downhill = Vec3::new(run.x, run.y, 0.0);
-        let left = if run.x >= 0.0 { run.turned_left() } else { -run.turned_left() };
-        let sign = if run.x >= 0.0 { 1.0 } else { -1.0 };
-        let roll = Rotation::by(downhill * (sign * self.roll));
-        Some(Axes { downhill, up: roll.apply(Vec3::new(left.x, left.y, 0.0)), across: roll.apply(Vec3::Z) })
-    }
-
-    /// Its corners: along its free edge, then along its uphill end, counter-clockwise as seen from above where it leads to the right.
-    pub fn corners(&self, size: f64) -> Option<[Vec3; 4]> {
-        let half = 0.5 * self.width.unwrap_or(WIDE * size);
-        let across = self.axes()?.across * half;
-        let [edge, uphill] = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0));
-        Some([edge + across, edge - across, uphill - across, uphill + across])
-    }
-
-    /// The walls along its sides, by their corners; none where they have no height or the plate is as wide as needed.
-    pub fn sides(&self) -> Vec<[Vec3; 4]> {
-        let (Some(width), Some(axes)) = (self.width.filter(|_| self.side_walls > 0.0), self.axes()) else {
-            return vec![];
-        };
-        let [edge, uphill] = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0));
-        let high = axes.up * self.side_walls;
-        let side = |sign: f64| {
-            let beside = axes.across * (0.5 * width * sign);
-            [edge + beside, edge + beside + high, uphill + beside + high, uphill + beside]
-        };
-        vec![side(1.0), side(-1.0)]
-    }
-}
-
-impl Wall {
-    /// What it is to the part; a wall across the drawing is as wide as needed for parts of this size.
-    pub(super) fn obstacle(&self, size: f64) -> Option<Obstacle> {
-        let found = match self.form {
-            WallForm::Across { from, to } => {
-                let across = Vec3::Z * (0.5 * WIDE * size);
-                let [a, b] = [from, to].map(|at| Vec3::new(at.x, at.y, 0.0));
-                Obstacle::plate(&[a + across, a - across, b - across, b + across]).ok()?
-            }
-            WallForm::Beside { z } => {
-                let inwards = Vec3::Z * if z > 0.0 { -1.0 } else { 1.0 };
-                Plane::new(inwards, -z.abs()).ok()?.into()
-            }
-        };
-        Some(found.with_friction(self.friction).with_restitution(self.restitution))
-    }
 }
 
 impl Feeder {
@@ -139,10 +80,9 @@ impl Feeder {
         let (mut obstacles, mut owners) = (vec![], vec![]);
         let flat = |path: &str| FeederProblem::NoLength { path: path.to_owned() };
         for (owner, plate) in self.plates.iter().enumerate() {
-            let corners = plate.corners(size).into_iter().chain(plate.sides());
-            for corners in corners {
-                let sheet = Obstacle::plate(&corners).map_err(|_| flat(&self.path(owner)))?;
-                obstacles.push(sheet.with_friction(plate.friction).with_restitution(plate.restitution));
+            for sheet in plate.sheets(size) {
+                let found = obstacle(sheet).ok_or_else(|| flat(&self.path(owner)))?;
+                obstacles.push(found.with_friction(plate.friction).with_restitution(plate.restitution));
                 owners.push(owner);
             }
         }
@@ -214,11 +154,17 @@ impl Feeder {
             found.demand(plate.roll.abs() < 0.5 * PI, of.key("roll"), plate.roll, "between -90° and 90°");
             let high = (0.0..=FARTHEST * size).contains(&plate.side_walls);
             found.demand(high, of.key("side_walls"), plate.side_walls, "0 to 4000 part sizes");
+            let between = plate.width.filter(|_| plate.side_walls == 0.0).unwrap_or(f64::INFINITY);
+            let least = (plate.edge - plate.uphill).norm().min(between);
+            found.edge_radius(of, plate.edge_radius, least, &self.part.body);
         }
         for wall in &self.walls {
             let of = Of { kind: "wall", name: &wall.name };
             match wall.form {
-                WallForm::Across { from, to } => found.segment(of, from, to, size),
+                WallForm::Across { from, to, edge_radius } => {
+                    found.segment(of, from, to, size);
+                    found.edge_radius(of, edge_radius, (to - from).norm(), &self.part.body);
+                }
                 WallForm::Beside { z } => {
                     found.demand(z.is_finite() && z != 0.0, of, z, "a number but 0");
                 }

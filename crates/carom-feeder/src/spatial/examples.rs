@@ -35,6 +35,7 @@ pub fn two_plates() -> Feeder {
         width: None,
         roll: 0.0,
         side_walls: 0.0,
+        edge_radius: 0.0,
         friction: 0.15,
         restitution: 0.0,
         unbounded: false,

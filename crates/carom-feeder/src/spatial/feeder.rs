@@ -153,6 +153,8 @@ pub struct Plate {
     pub roll: f64,
     /// Height of the walls along its two sides, square to it [m]; 0 where there are none.
     pub side_walls: f64,
+    /// Radius of its edges [m]: it is then a sheet twice as thick below its upper side, its ends half round, and its sides where no walls stand along them. Thin and sharp at 0.
+    pub edge_radius: f64,
     /// Friction against the part.
     pub friction: f64,
     /// Restitution against the part.
@@ -170,6 +172,8 @@ pub enum WallForm {
         from: Vec2,
         /// The other end.
         to: Vec2,
+        /// Radius of its edges [m]: it is then a sheet twice as thick about that line, its ends half round. Thin and sharp at 0.
+        edge_radius: f64,
     },
     /// A plane without ends beside the drawing, parallel to it: at this z [m], touched from the side of the drawing. Two of them make a groove.
     Beside {

@@ -8,6 +8,7 @@ mod drop;
 pub mod examples;
 mod feeder;
 mod run;
+mod sheets;
 mod stages;
 
 pub use drop::Prepared;

@@ -19,7 +19,7 @@ pub use geometry::feature::Feature;
 pub use geometry::friction::{Friction, FrictionProblem};
 pub use geometry::hull::HullProblem;
 pub use geometry::named::Touch;
-pub use geometry::obstacle::{Obstacle, PlateProblem};
+pub use geometry::obstacle::{Obstacle, PlateProblem, RadiusProblem};
 pub use geometry::plane::{Plane, PlaneProblem};
 pub use geometry::polyhedron::{Face, Polyhedron, Stance};
 pub use geometry::rest::Rest;

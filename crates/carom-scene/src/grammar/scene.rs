@@ -303,6 +303,18 @@ pub(super) const STRAIGHT: &[Key] = &[
     key("to", Holds::Point(COORDINATE), "The free edge of the plate."),
 ];
 
+pub(super) const PLATE_EDGE_RADIUS: Key = key(
+    "edge_radius",
+    Holds::Quantity(LENGTH_OR_NONE),
+    "Radius of the plate's edges: it is then a sheet twice as thick below its upper side, its ends half round. Thin and sharp where it is left out.",
+);
+
+pub(super) const WALL_EDGE_RADIUS: Key = key(
+    "edge_radius",
+    Holds::Quantity(LENGTH_OR_NONE),
+    "Radius of the wall's edges: it is then a sheet twice as thick about the drawn line, its ends half round. Thin and sharp where it is left out.",
+);
+
 static PLATE: Table = Table {
     name: "Plate",
     about: "A plate. The first needs no place: its free edge is the origin. Others are placed by wall (hinged there) with slope, drop or height, and gap or length; by line; by below with slope; by edge with slope and length; by from and to; or by chain, which may be bent.",
@@ -315,11 +327,7 @@ static PLATE: Table = Table {
                 "The upper side of the plate from its uphill end to its free edge: points, with an arc between two of them where it is bent.",
             ),
             BEND_RADIUS,
-            key(
-                "edge_radius",
-                Holds::Quantity(LENGTH_OR_NONE),
-                "Radius of the plate's edges: it is then a sheet twice as thick below its upper side, its ends half round. Thin and sharp where it is left out.",
-            ),
+            PLATE_EDGE_RADIUS,
             WANT,
         ],
         SURFACE,
@@ -365,11 +373,7 @@ static WALL: Table = Table {
                 "The wall from one end to the other: points, with an arc between two of them where it is bent.",
             ),
             BEND_RADIUS,
-            key(
-                "edge_radius",
-                Holds::Quantity(LENGTH_OR_NONE),
-                "Radius of the wall's edges: it is then a sheet twice as thick about the drawn line, its ends half round. Thin and sharp where it is left out.",
-            ),
+            WALL_EDGE_RADIUS,
         ],
         SURFACE,
     ],

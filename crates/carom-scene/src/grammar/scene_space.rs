@@ -7,8 +7,8 @@ use super::part::length_units;
 use super::roll_space::LAW_IN_SPACE;
 use super::scene::{
     BY_EDGE, BY_ENDS, BY_LINE, CHANNEL, FACE_SHARES, FIRST_LEVEL, GRAVITY_KEY, HINGED, LATER_LEVEL,
-    MATERIALS, NAME, ORIGIN, OWN_SURFACE, REACH, START_SPEED, STOP, STRAIGHT, SURFACE, THROUGH, TO_EDGE,
-    WANT, placed, way,
+    MATERIALS, NAME, ORIGIN, OWN_SURFACE, PLATE_EDGE_RADIUS, REACH, START_SPEED, STOP, STRAIGHT, SURFACE,
+    THROUGH, TO_EDGE, WALL_EDGE_RADIUS, WANT, placed, way,
 };
 use super::scene_studies::DESIGN;
 use super::{Foreign, Holds, Inherited, Rule, Table, Tables, When, key};
@@ -204,17 +204,17 @@ static SPACE_PLATES: Tables = Tables {
 
 const WAYS: &str = "a plate is placed by wall + drop + slope + gap (or length), by line, by below + slope, by edge + slope + length, or by from + to";
 
-/// Bent sheets and round edges.
+/// Bent sheets.
 const BENT: Foreign = Foreign {
-    keys: &["chain", "bend_radius", "edge_radius"],
+    keys: &["chain", "bend_radius"],
     kind: ProblemKind::Unsupported,
-    message: "is for parts that move in the plane: in space plates are flat and thin",
+    message: "is for parts that move in the plane: in space plates are flat",
     help: "",
 };
 
 static SPACE_PLATE: Table = Table {
     name: "SpacePlate",
-    about: "A flat plate, placed as in the plane, with a width across the drawing.",
+    about: "A flat plate, placed as in the plane, with a width across the drawing. With edge_radius its sides are round as its ends are, but where side_walls stand along them.",
     keys: &[
         STRAIGHT,
         &[
@@ -235,6 +235,7 @@ static SPACE_PLATE: Table = Table {
                 "Height of walls along both sides, square to the plate; they touch the part as the plate does. They need a width.",
             )
             .or(0.0),
+            PLATE_EDGE_RADIUS,
             WANT,
         ],
         SURFACE,
@@ -264,6 +265,7 @@ static SPACE_WALL: Table = Table {
             NAME,
             key("from", Holds::Point(COORDINATE), "One end of the wall.").needed(),
             key("to", Holds::Point(COORDINATE), "The other end of the wall.").needed(),
+            WALL_EDGE_RADIUS,
         ],
         SURFACE,
     ],

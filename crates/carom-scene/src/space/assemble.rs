@@ -198,6 +198,7 @@ fn wide(drawn: &PlateDrawing, plate: carom_feeder::Plate) -> Plate {
         width: value(&drawn.width),
         roll: value(&drawn.roll).unwrap_or(0.0),
         side_walls: value(&drawn.side_walls).unwrap_or(0.0),
+        edge_radius: plate.form.edge_radius,
         friction: plate.friction,
         restitution: plate.restitution,
         unbounded: plate.unbounded,
@@ -207,7 +208,7 @@ fn wide(drawn: &PlateDrawing, plate: carom_feeder::Plate) -> Plate {
 /// Walls across the drawing, then those beside it.
 fn walls(drawing: &Drawing, flat: Vec<carom_feeder::Wall>) -> Vec<Wall> {
     let across = flat.into_iter().map(|wall| Wall {
-        form: WallForm::Across { from: wall.from, to: wall.to },
+        form: WallForm::Across { from: wall.from, to: wall.to, edge_radius: wall.form.edge_radius },
         name: wall.name,
         friction: wall.friction,
         restitution: wall.restitution,

@@ -87,7 +87,7 @@ impl World {
                 let (_, far) = ahead.moves(seen);
                 face.plane.height(seen).abs() > far + spare || seen.norm() > self.body().reach() + far + spare
             }
-            Some(Pair::Cross(Crossing { own, other, radius })) => {
+            Some(Pair::Cross(Crossing { own, other, radius, .. })) => {
                 let spare = spare + radius;
                 let (middle, far) = ahead.moves(own.middle());
                 let along = other.along.dot(middle - other.from).clamp(0.0, other.length);
@@ -103,7 +103,7 @@ impl World {
 
     /// For so long at least edges that may cross stay farther apart than `spare` \[s\], however parallel they become; 0 of other supports.
     pub(in crate::spatial) fn apart(&self, support: usize, state: &State, most: &Most, spare: f64) -> f64 {
-        let Some(Pair::Cross(Crossing { own, other, radius })) = self.pair(support) else { return 0.0 };
+        let Some(Pair::Cross(Crossing { own, other, radius, .. })) = self.pair(support) else { return 0.0 };
         let ends = own.ends();
         let clear = distance(ends.map(|end| state.place(end)), other.ends()) - radius - spare;
         let largest = |of: &dyn Fn(Vec3) -> f64| ends.into_iter().map(of).fold(0.0, f64::max);

@@ -1,6 +1,6 @@
 //! An edge of the body across an edge of an obstacle.
 //!
-//! They are nearest to each other on the common perpendicular of their lines. The body's edge may be rounded by a ball: the two touch where the lines are its radius apart.
+//! They are nearest to each other on the common perpendicular of their lines. Both may be rounded by balls: the two touch where the lines are the radii apart.
 
 use super::pair::{Meeting, Passing};
 use super::posture::Most;
@@ -14,8 +14,9 @@ use carom_num::Vec3;
 pub(in crate::spatial) struct Crossing {
     pub(in crate::spatial) own: Edge,
     pub(in crate::spatial) other: Edge,
-    /// Of the ball that rounds the body's edge; 0 of a sharp one.
+    /// Of the balls that round the two, together; 0 of sharp ones. And of the body's alone.
     pub(in crate::spatial) radius: f64,
+    pub(in crate::spatial) own_radius: f64,
 }
 
 /// How two edges are at an instant, world axes.
@@ -49,7 +50,7 @@ impl Crossed {
 
 impl Crossing {
     fn at(&self, pose: Pose) -> Crossed {
-        let Self { own, other, radius } = self;
+        let Self { own, other, radius, .. } = self;
         let along = pose.attitude.apply(own.along);
         let straight = along.cross(other.along);
         let between = pose.centre + pose.attitude.apply(own.from) - other.middle();
@@ -74,7 +75,7 @@ impl Crossing {
         }
         let normal = crossed.across() / crossed.sine;
         let [along, _] = crossed.places(&self.other);
-        let place = self.other.middle() + crossed.between + crossed.along * along - normal * self.radius;
+        let place = self.other.middle() + crossed.between + crossed.along * along - normal * self.own_radius;
         Meeting { place, normal, gap: normal.dot(crossed.between) - self.radius }
     }
 
@@ -92,9 +93,9 @@ impl Crossing {
         let turns = spin.cross(crossed.along).cross(other.along) * crossed.side;
         let turns = (turns - normal * normal.dot(turns)) / crossed.sine;
         let square = crossed.sine * crossed.sine;
-        let line = moves(place + normal * self.radius);
+        let line = moves(place + normal * self.own_radius);
         let runs = (turns * (gap + self.radius) - line).cross(other.along).dot(crossed.straight) / square;
-        let place = line + crossed.along * runs - turns * self.radius;
+        let place = line + crossed.along * runs - turns * self.own_radius;
         Passing { at, place, normal: turns, slip }
     }
 

@@ -1,6 +1,6 @@
-//! A rounded corner or edge of the body, and an edge or a corner of an obstacle.
+//! A corner or edge of the body, and an edge or a corner of an obstacle, one of which is rounded at least.
 //!
-//! The ball that rounds the body touches where its centre, on the corner or the edge of the body, is nearest to the obstacle: as far away as its radius. That is so as long as
+//! The balls that round them touch where their centres, on the corner or the edge of each, are nearest to each other: as far away as both radii. That is so as long as
 //! the nearest places are these: between the ends of an edge, and in a direction in which nothing else of either is nearer.
 
 use super::pair::{Meeting, Passing};
@@ -43,8 +43,9 @@ pub(in crate::spatial) struct Nearest {
     pub(in crate::spatial) own: Span,
     /// World axes.
     pub(in crate::spatial) other: Span,
-    /// Of the ball about every place of the body's.
+    /// Of the balls about every place of the body's and of the obstacle's, together; and of the body's alone.
     pub(in crate::spatial) radius: f64,
+    pub(in crate::spatial) own_radius: f64,
     /// Unit vectors from the body's corner along its edges, or from its edge into its faces, body axes.
     pub(in crate::spatial) inner: Vec<Vec3>,
     /// The same of the obstacle, world axes.
@@ -98,7 +99,7 @@ impl Nearest {
 
     fn meeting_of(&self, &Nearness { centre, between, .. }: &Nearness) -> Meeting {
         let normal = between.unit().unwrap_or(Vec3::Z);
-        Meeting { place: centre - normal * self.radius, normal, gap: between.norm() - self.radius }
+        Meeting { place: centre - normal * self.own_radius, normal, gap: between.norm() - self.radius }
     }
 
     pub(super) fn passing(&self, state: &State) -> Passing {
@@ -108,7 +109,7 @@ impl Nearest {
         let normal = meeting.normal;
         let turns = (change.between - normal * normal.dot(change.between)) / at.between.norm();
         let slip = state.velocity + change.spin.cross(meeting.place - state.centre);
-        Passing { at: meeting, place: change.centre - turns * self.radius, normal: turns, slip }
+        Passing { at: meeting, place: change.centre - turns * self.own_radius, normal: turns, slip }
     }
 
     /// Half the difference of the squares of the distance and of the radius less what is added to the gap, in the radius, and its rate: the gap where they touch, and how it bends is

@@ -7,7 +7,7 @@ use crate::tolerance::FLAT_PLATE;
 use carom_num::Vec3;
 use thiserror::Error;
 
-/// Something convex that does not move: a plane without ends, a plate, or a solid.
+/// Something convex that does not move: a plane without ends, a plate, a solid, or a round pin.
 ///
 /// # Example
 /// A cube of 1 m lies on a level plate and hangs over its end, by 40 % of its length and by 60 %: it rests there, or tips over and falls on the floor, 3 m down.
@@ -84,6 +84,21 @@ pub enum PlateProblem {
         /// Its number.
         corner: usize,
     },
+}
+
+/// Numbers that no ball has.
+///
+/// # Example
+/// ```
+/// use carom_motion::spatial::{Obstacle, RadiusProblem};
+/// use carom_num::Vec3;
+/// assert_eq!(Obstacle::pin([Vec3::X, -Vec3::X], 0.0), Err(RadiusProblem { radius: 0.0 }));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("a radius of {radius} m: it must be finite and > 0, and the places that it is about finite")]
+pub struct RadiusProblem {
+    /// What it is \[m\].
+    pub radius: f64,
 }
 
 impl From<Plane> for Obstacle {
@@ -164,6 +179,58 @@ impl Obstacle {
             points[*source] = *vertex;
         }
         Self::of(Surface::of(shape, &points))
+    }
+
+    /// A round pin: all places that are within a radius \[m\] of the line between two ends \[m\], so that its ends are half balls; of two ends in one place a ball.
+    ///
+    /// # Errors
+    /// Numbers that no pin has.
+    ///
+    /// # Example
+    /// A cube of 1 m falls on a pin under one side of it, tips over that, and rolls off.
+    /// ```
+    /// use carom_motion::spatial::{Body, Friction, Obstacle, Options, Plane, State, World, examples, run};
+    /// use carom_num::{Rotation, Vec3};
+    /// let pin = Obstacle::pin([Vec3::Y * -2.0, Vec3::Y * 2.0], 0.2)?;
+    /// let world = World::new(examples::block(), Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.5)).unwrap();
+    /// let world = world.among(vec![pin, Plane::new(Vec3::Z, -3.0).unwrap().into()]).unwrap();
+    /// let centre = Vec3::new(0.4, 0.0, 0.75);
+    /// let start = State { centre, attitude: Rotation::NONE, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+    /// let run = run(&world, &start, &Options::default(), &mut ()).unwrap();
+    /// // It meets the pin 0.05 m further down.
+    /// assert!((run.impacts[0].time - 0.1).abs() < 1e-12 && run.state.centre.z < -2.0);
+    /// # Ok::<(), carom_motion::spatial::RadiusProblem>(())
+    /// ```
+    pub fn pin(ends: [Vec3; 2], radius: f64) -> Result<Self, RadiusProblem> {
+        let is_one = radius > 0.0 && radius.is_finite() && ends.iter().all(|r| r.is_finite());
+        let points = if ends[0] == ends[1] { &ends[..1] } else { &ends[..] };
+        if is_one { Ok(Self::of(Surface::of_round(points, radius))) } else { Err(RadiusProblem { radius }) }
+    }
+
+    /// The same, with a ball of this radius \[m\] about every place of it: a solid with round edges that is larger all around, a plate as thick as two radii, a pin with more.
+    ///
+    /// # Errors
+    /// A radius that no ball has.
+    ///
+    /// # Example
+    /// A cube of 1 m rests on a rounded plate by the radius higher than on a thin one.
+    /// ```
+    /// use carom_motion::spatial::{Friction, Obstacle, State, World, examples};
+    /// use carom_num::{Rotation, Vec3};
+    /// let outline = [(-2.0, -2.0), (2.0, -2.0), (2.0, 2.0), (-2.0, 2.0)];
+    /// let plate = Obstacle::plate(&outline.map(|(x, y)| Vec3::new(x, y, 0.0))).unwrap();
+    /// let world = World::new(examples::block(), Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.5)).unwrap();
+    /// let among = world.among(vec![plate.rounded(0.1)?]).unwrap();
+    /// let state = State { centre: Vec3::Z * 0.59, attitude: Rotation::NONE, velocity: Vec3::ZERO, spin: Vec3::ZERO };
+    /// assert!((among.reaches_into(&state, 0.0)[0].1 - 0.01).abs() < 1e-15);
+    /// # Ok::<(), carom_motion::spatial::RadiusProblem>(())
+    /// ```
+    pub fn rounded(mut self, radius: f64) -> Result<Self, RadiusProblem> {
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(RadiusProblem { radius });
+        }
+        self.surface.radius += radius;
+        Ok(self)
     }
 
     /// The same with a friction coefficient of its own, in place of the world's. [`World::among`](super::world::World::among) refuses one below 0.

@@ -17,8 +17,10 @@ use carom_num::Vec3;
 pub(in crate::spatial) enum Pair {
     /// A face of the body, and a corner of an obstacle.
     Corner {
-        /// The face; of a rounded body as far outside of its corners as the radius is.
+        /// The face, as far outside of its corners as the radii are of the balls that round the body and the obstacle.
         face: Facet,
+        /// That of the obstacle's.
+        radius: f64,
         /// The corner.
         corner: Vec3,
         /// Unit vectors from it along the obstacle's edges.
@@ -26,7 +28,7 @@ pub(in crate::spatial) enum Pair {
     },
     /// An edge of the body across an edge of an obstacle.
     Cross(Crossing),
-    /// A rounded corner or edge of the body, and an edge or a corner of an obstacle.
+    /// A corner or edge of the body, and an edge or a corner of an obstacle, one of which is rounded at least.
     Round(Nearest),
 }
 
@@ -72,9 +74,10 @@ impl Passing {
 impl Pair {
     pub(in crate::spatial) fn meeting(&self, pose: Pose) -> Meeting {
         match self {
-            Self::Corner { face, corner, .. } => {
+            Self::Corner { face, corner, radius, .. } => {
                 let gap = face.plane.height(pose.attitude.undo(*corner - pose.centre));
-                Meeting { place: *corner, normal: -pose.attitude.apply(face.plane.normal()), gap }
+                let normal = -pose.attitude.apply(face.plane.normal());
+                Meeting { place: *corner + normal * *radius, normal, gap }
             }
             Self::Cross(crossing) => crossing.meeting(pose),
             Self::Round(nearest) => nearest.meeting(pose),
@@ -83,11 +86,12 @@ impl Pair {
 
     pub(in crate::spatial) fn passing(&self, state: &State) -> Passing {
         match self {
-            Self::Corner { .. } => {
+            Self::Corner { radius, .. } => {
                 let at = self.meeting(state.pose());
                 let spin = state.attitude.apply(state.spin);
                 let slip = state.velocity + spin.cross(at.place - state.centre);
-                Passing { at, place: Vec3::ZERO, normal: spin.cross(at.normal), slip }
+                let turns = spin.cross(at.normal);
+                Passing { at, place: turns * *radius, normal: turns, slip }
             }
             Self::Cross(crossing) => crossing.passing(state),
             Self::Round(nearest) => nearest.passing(state),
@@ -209,22 +213,23 @@ impl Pair {
     }
 }
 
-/// What a body may touch of an obstacle besides its faces: each of its faces each of the corners, then each of its edges each of the edges. Where it is round, each of its points each of
+/// What a body may touch of an obstacle besides its faces: each of its faces each of the corners, then each of its edges each of the edges. Where one of them is round, each of its points each of
 /// the edges, each of its edges each of the corners, and each of its points each of the corners too.
 pub(super) fn pairs_of(own: &Surface, obstacle: &Surface) -> Vec<Pair> {
-    let radius = own.radius;
+    let (own_radius, radius) = (own.radius, own.radius + obstacle.radius);
     let corners = || obstacle.corners.iter().zip(&obstacle.spokes);
     let mut pairs = vec![];
     for face in &own.faces {
         let of = |(corner, spokes): (&Vec3, &Vec<Vec3>)| Pair::Corner {
             face: face.raised(radius),
+            radius: obstacle.radius,
             corner: *corner,
             spokes: spokes.clone(),
         };
         pairs.extend(corners().map(of));
     }
     for edge in &own.edges {
-        let of = |other: &Edge| Pair::Cross(Crossing { own: *edge, other: *other, radius });
+        let of = |other: &Edge| Pair::Cross(Crossing { own: *edge, other: *other, radius, own_radius });
         pairs.extend(obstacle.edges.iter().map(of));
     }
     if radius == 0.0 {
@@ -232,7 +237,7 @@ pub(super) fn pairs_of(own: &Surface, obstacle: &Surface) -> Vec<Pair> {
     }
     let points = || own.corners.iter().zip(&own.spokes);
     let round = |(own, inner): (Span, &[Vec3]), (other, outer): (Span, &[Vec3])| {
-        Pair::Round(Nearest { own, other, radius, inner: inner.to_vec(), outer: outer.to_vec() })
+        Pair::Round(Nearest { own, other, radius, own_radius, inner: inner.to_vec(), outer: outer.to_vec() })
     };
     for (point, spokes) in points() {
         let of = |edge: &Edge| round((Span::point(*point), spokes), (Span::edge(edge), &edge.sides));

@@ -125,20 +125,32 @@ impl Surface {
         Self { edges: vec![edge], spokes: vec![vec![along], vec![-along]], ..none }
     }
 
-    /// How far this one, which moves with a body, is from another one; negative where they overlap. Of a sharp one that is [`Surface::separation`].
+    /// The ends of its edges; of what has none its corners, as edges without length.
+    fn spans(&self) -> Vec<[Vec3; 2]> {
+        match self.edges[..] {
+            [] => self.corners.iter().map(|corner| [*corner; 2]).collect(),
+            ref edges => edges.iter().map(Edge::ends).collect(),
+        }
+    }
+
+    /// How far a place is from the balls about its edges or corners; negative inside them.
+    pub(in crate::spatial) fn beyond_balls(&self, place: Vec3) -> f64 {
+        let far = |ends: &[Vec3; 2]| distance([place; 2], *ends);
+        self.spans().iter().map(far).fold(f64::INFINITY, f64::min) - self.radius
+    }
+
+    /// How far this one, which moves with a body, is from another one; negative where they overlap. Of two sharp ones that is [`Surface::separation`].
     pub(in crate::spatial) fn apart(&self, other: &Self, pose: Pose) -> f64 {
-        if self.radius == 0.0 {
+        let radius = self.radius + other.radius;
+        if radius == 0.0 {
             return self.separation(other, pose);
         }
         let placed = |r: Vec3| pose.centre + pose.attitude.apply(r);
         let own: Vec<Vec3> = self.corners.iter().map(|r| placed(*r)).collect();
         let seen: Vec<Vec3> = other.corners.iter().map(|r| pose.attitude.undo(*r - pose.centre)).collect();
-        let spans: Vec<[Vec3; 2]> = match self.edges[..] {
-            [] => own.iter().map(|place| [*place; 2]).collect(),
-            ref edges => edges.iter().map(|edge| edge.ends().map(placed)).collect(),
-        };
-        let of_edges =
-            spans.iter().flat_map(|own| other.edges.iter().map(|edge| distance(*own, edge.ends())));
+        let spans: Vec<[Vec3; 2]> = self.spans().into_iter().map(|ends| ends.map(placed)).collect();
+        let others = other.spans();
+        let of_edges = spans.iter().flat_map(|own| others.iter().map(|ends| distance(*own, *ends)));
         let above = |faces: &[Facet], corners: &[Vec3]| {
             let over = |face: &Facet| {
                 let inside = |r: &Vec3| face.limits.iter().all(|limit| limit.margin(*r) >= 0.0);
@@ -154,7 +166,7 @@ impl Surface {
             faces.iter().any(|face| ends.iter().any(|ends| face.is_crossed(*ends)))
         };
         let seen_edges: Vec<[Vec3; 2]> =
-            other.edges.iter().map(|edge| edge.ends().map(|r| pose.attitude.undo(r - pose.centre))).collect();
+            others.iter().map(|ends| ends.map(|r| pose.attitude.undo(r - pose.centre))).collect();
         let within = |faces: &[Facet], corners: &[Vec3]| {
             !faces.is_empty()
                 && corners.first().is_some_and(|r| faces.iter().all(|face| face.plane.height(*r) < 0.0))
@@ -164,7 +176,7 @@ impl Surface {
             || within(&other.faces, &own)
             || within(&self.faces, &seen);
         let deep = self.separation(other, pose).min(0.0);
-        (if inside { deep } else { distance }) - self.radius
+        (if inside { deep } else { distance }) - radius
     }
 
     /// How far this one, which moves with a body, is from another one at least; negative where they overlap, by how far the body has to move to be beside it.

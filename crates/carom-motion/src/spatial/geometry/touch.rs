@@ -187,11 +187,13 @@ impl World {
         let planes = self.planes()[self.shares[obstacle].planes.clone()].iter();
         let beyond =
             |edge: &Edge| edge.outward.unit().map_or(f64::NEG_INFINITY, |n| n.dot(place - edge.from));
-        let edges = self.obstacles.get(obstacle).map_or(&[][..], |surface| &surface.edges);
-        planes
-            .map(|plane| plane.height(place))
-            .chain(edges.iter().map(beyond))
-            .fold(f64::NEG_INFINITY, f64::max)
+        let none = Surface::default();
+        let surface = self.obstacles.get(obstacle).unwrap_or(&none);
+        if surface.faces.is_empty() && !surface.corners.is_empty() {
+            return surface.beyond_balls(place);
+        }
+        let beyond = surface.edges.iter().map(|edge| beyond(edge) - surface.radius);
+        planes.map(|plane| plane.height(place)).chain(beyond).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// A body that flies so is below all obstacles that have ends, and no plane without ends faces upwards: nothing can carry it any more.
@@ -200,7 +202,7 @@ impl World {
         let carries = |plane: &Plane| plane.normal().dot(down) < -CARRIES;
         let lowest = |surface: &Surface| {
             let corners = surface.corners.iter().map(|corner| down.dot(*corner));
-            corners.fold(f64::NEG_INFINITY, f64::max)
+            corners.fold(f64::NEG_INFINITY, f64::max) + surface.radius
         };
         let below = |surface: &Surface| {
             if surface.corners.is_empty() {

@@ -88,7 +88,7 @@ pub enum ObstaclesProblem {
         "a body with circles, or with balls of different radii, touches planes without ends alone: an obstacle has edges"
     )]
     Round,
-    /// A ball so small beside the body that what it rounds touches as what is sharp does.
+    /// A ball, of the body or of an obstacle, so small beside the body that what it rounds touches as what is sharp does.
     #[error(
         "the radius of {radius} m is too small beside the body: at least {least} m, or 0 for sharp edges"
     )]
@@ -236,8 +236,11 @@ impl World {
             pairs.extend(pairs_of(&surface, obstacle));
             shares.push(Share { planes: first..planes, pairs: from..pairs.len() });
         }
-        let faces = obstacles.iter().flat_map(|obstacle| &obstacle.faces);
-        let (planes, limits): (Vec<_>, Vec<_>) = faces.map(|face| (face.plane, face.limits.clone())).unzip();
+        let raised = |obstacle: &Surface| {
+            obstacle.faces.iter().map(|face| face.raised(obstacle.radius)).collect::<Vec<_>>()
+        };
+        let faces = obstacles.iter().flat_map(raised);
+        let (planes, limits): (Vec<_>, Vec<_>) = faces.map(|face| (face.plane, face.limits)).unzip();
         let count = self.body.supports().len() * planes.len() + pairs.len();
         if count > Supports::MOST {
             return Err(ObstaclesProblem::Count { pairs: count });
@@ -335,7 +338,8 @@ fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Ve
     }
     let radius = body.rounding().ok_or(ObstaclesProblem::Round)?;
     let least = LEAST_ROUNDING * body.reach();
-    if radius > 0.0 && radius < least {
+    let radii = obstacles.iter().map(|obstacle| obstacle.radius).chain([radius]);
+    if let Some(radius) = radii.into_iter().find(|radius| *radius > 0.0 && *radius < least) {
         return Err(ObstaclesProblem::Sharp { radius, least });
     }
     if radius > 0.0 && body.supports().len() <= 2 {

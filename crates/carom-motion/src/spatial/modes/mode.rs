@@ -1,5 +1,6 @@
 //! What a body does between events: it flies, turns about a support or an edge, or rests; its equations and the forces on it.
 
+use crate::spatial::geometry::plane::Plane;
 use crate::spatial::geometry::posture::Posture;
 use crate::spatial::geometry::state::Pose;
 use crate::spatial::geometry::supports::Supports;
@@ -250,6 +251,7 @@ impl Equations {
         let body = world.body();
         let arm = mode.foot().map_or(Vec3::ZERO, |s| world.point(s));
         let about = body.inertia_about(arm);
+        let plane = world.planes().get(mode.foot().map_or(0, |foot| world.plane_of(foot)));
         let length = match mode {
             Mode::Edge { ends: [a, b], .. } => (world.point(b) - world.point(a)).norm(),
             _ => 0.0,
@@ -258,7 +260,7 @@ impl Equations {
             mode,
             mass: body.mass(),
             gravity: start.undo(world.gravity()),
-            up: start.undo(world.support(mode.foot().unwrap_or(0)).plane.normal()),
+            up: start.undo(plane.map_or(Vec3::Z, Plane::normal)),
             arm,
             inertia: body.inertia(),
             about,

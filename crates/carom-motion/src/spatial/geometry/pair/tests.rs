@@ -39,13 +39,15 @@ fn pairs() -> Vec<Pair> {
     let corner = Vec3::new(0.05, -0.03, -0.02);
     let round = |own: Span, other: Span| {
         let (inner, outer) = (vec![Vec3::X, Vec3::new(0.0, 0.6, 0.8)], vec![-Vec3::Y]);
-        Pair::Round(Nearest { own, other, radius: 0.05, inner, outer })
+        Pair::Round(Nearest { own, other, radius: 0.05, own_radius: 0.03, inner, outer })
     };
     let point = Vec3::new(-0.1, 0.05, -0.1);
     vec![
-        Pair::Cross(Crossing { own, other, radius: 0.0 }),
-        Pair::Cross(Crossing { own, other, radius: 0.04 }),
-        Pair::Corner { face, corner, spokes: vec![] },
+        Pair::Cross(Crossing { own, other, radius: 0.0, own_radius: 0.0 }),
+        Pair::Cross(Crossing { own, other, radius: 0.04, own_radius: 0.04 }),
+        Pair::Cross(Crossing { own, other, radius: 0.05, own_radius: 0.02 }),
+        Pair::Corner { face: face.clone(), radius: 0.0, corner, spokes: vec![] },
+        Pair::Corner { face: face.raised(0.04), radius: 0.03, corner, spokes: vec![] },
         round(Span::point(point), Span::edge(&other)),
         round(Span::edge(&own), Span::point(corner)),
         round(Span::point(point), Span::point(corner)),
@@ -136,7 +138,7 @@ fn what_is_turned_away_stays_so_for_as_long_as_is_said() {
         outward: -Vec3::Z,
     };
     let other = Edge::of_plate(Vec3::ZERO, Vec3::Y, Vec3::Z).unwrap();
-    let pair = Pair::Cross(Crossing { own, other, radius: 0.0 });
+    let pair = Pair::Cross(Crossing { own, other, radius: 0.0, own_radius: 0.0 });
     let spin = Vec3::new(2.0, -1.0, 0.6);
     let pose = |time: f64| Pose { centre: Vec3::ZERO, attitude: Rotation::by(spin * time) };
     let (step, count) = (1e-3, 6000_u32);

@@ -1,0 +1,155 @@
+//! Plates and walls as the sheets that they are: for the part, and for pictures.
+
+use super::feeder::{Plate, Wall, WallForm};
+use crate::tolerance::WIDE;
+use carom_motion::spatial::{Obstacle, Plane};
+use carom_num::elementary::sin_cos;
+use carom_num::{Rotation, Vec3};
+use std::f64::consts::PI;
+
+/// Facets of a half round edge in a picture.
+const FACETS: u32 = 8;
+
+/// Axes of a plate, world axes: downhill, out of its upper side, and across it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Axes {
+    pub(super) downhill: Vec3,
+    pub(super) up: Vec3,
+    pub(super) across: Vec3,
+}
+
+/// The middle of a sheet: a rectangle about whose places balls are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheet {
+    ends: [Vec3; 2],
+    /// Unit vectors from the second end to the first, across, and out of it.
+    axes: [Vec3; 3],
+    /// How far it reaches to either side.
+    half: f64,
+    radius: f64,
+}
+
+impl Sheet {
+    /// One between two ends that reaches so far to either side. Its round ends reach as far as drawn, and so do its sides where they are round.
+    fn between(ends: [Vec3; 2], [across, up]: [Vec3; 2], half: f64, radius: f64) -> Option<Self> {
+        let along = (ends[0] - ends[1]).unit()?;
+        let ends = [ends[0] - along * radius, ends[1] + along * radius];
+        Some(Self { ends, axes: [along, across, up], half, radius })
+    }
+
+    /// Its corners, so far out of the middle and so much wider: at the first end, then at the other one.
+    fn corners(&self, out: f64, wider: f64) -> [Vec3; 4] {
+        let [along, across, up] = self.axes;
+        let (across, up) = (across * (self.half + wider), up * out);
+        let [first, second] = [self.ends[0] + along * wider + up, self.ends[1] - along * wider + up];
+        [first + across, first - across, second - across, second + across]
+    }
+
+    /// Its polygons: one of a thin sheet; else its two sides, and facets around it, mitred at its corners.
+    fn polygons(&self) -> Vec<Vec<Vec3>> {
+        let ring = |k: u32| {
+            let (sine, cosine) = sin_cos(PI * f64::from(k) / f64::from(FACETS));
+            self.corners(self.radius * cosine, self.radius * sine)
+        };
+        let first = ring(0);
+        if self.radius == 0.0 {
+            return vec![first.to_vec()];
+        }
+        let facets = (0..FACETS).flat_map(|k| {
+            let [high, low] = [ring(k), ring(k + 1)];
+            (0..4).map(move |i| vec![high[i], high[(i + 1) % 4], low[(i + 1) % 4], low[i]])
+        });
+        let below = ring(FACETS).into_iter().rev().collect();
+        [first.to_vec(), below].into_iter().chain(facets).collect()
+    }
+}
+
+/// What a rectangle is to the part, with a ball of a radius about all of its places; `None` where it has no size.
+pub(super) fn obstacle((corners, radius): ([Vec3; 4], f64)) -> Option<Obstacle> {
+    let thin = Obstacle::plate(&corners).ok()?;
+    if radius > 0.0 { thin.rounded(radius).ok() } else { Some(thin) }
+}
+
+impl Plate {
+    /// The axes of the plate; `None` where it has no length.
+    pub(super) fn axes(&self) -> Option<Axes> {
+        let run = (self.edge - self.uphill).unit()?;
+        let downhill = Vec3::new(run.x, run.y, 0.0);
+        let left = if run.x >= 0.0 { run.turned_left() } else { -run.turned_left() };
+        let sign = if run.x >= 0.0 { 1.0 } else { -1.0 };
+        let roll = Rotation::by(downhill * (sign * self.roll));
+        Some(Axes { downhill, up: roll.apply(Vec3::new(left.x, left.y, 0.0)), across: roll.apply(Vec3::Z) })
+    }
+
+    /// Its sheet, below its upper side. Its sides are round as its ends are, unless walls stand along them: to these its upper side reaches.
+    fn sheet(&self, size: f64) -> Option<Sheet> {
+        let Axes { up, across, .. } = self.axes()?;
+        let radius = self.edge_radius;
+        let ends = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0) - up * radius);
+        let half = match self.width {
+            None => 0.5 * WIDE * size,
+            Some(width) if self.side_walls > 0.0 => 0.5 * width,
+            Some(width) => 0.5 * width - radius,
+        };
+        Sheet::between(ends, [across, up], half, radius)
+    }
+
+    /// The walls along its sides, by their corners; none where they have no height or the plate is as wide as needed.
+    fn sides(&self) -> Vec<[Vec3; 4]> {
+        let (Some(width), Some(axes)) = (self.width.filter(|_| self.side_walls > 0.0), self.axes()) else {
+            return vec![];
+        };
+        let [edge, uphill] = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0));
+        let high = axes.up * self.side_walls;
+        let side = |sign: f64| {
+            let beside = axes.across * (0.5 * width * sign);
+            [edge + beside, edge + beside + high, uphill + beside + high, uphill + beside]
+        };
+        vec![side(1.0), side(-1.0)]
+    }
+
+    /// The rectangle in the middle of its sheet, and those of the walls along its sides, by their corners \[m\]; each with the radius of the ball about all of its places. Beside a part of
+    /// this size; none where it has no length.
+    pub fn sheets(&self, size: f64) -> Vec<([Vec3; 4], f64)> {
+        let Some(sheet) = self.sheet(size) else { return vec![] };
+        let sides = self.sides().into_iter().map(|corners| (corners, 0.0));
+        [(sheet.corners(0.0, 0.0), sheet.radius)].into_iter().chain(sides).collect()
+    }
+
+    /// Its polygons as a picture has them \[m\], beside a part of this size: its sheet, by the corners along its free edge first, counter-clockwise as seen from above where it leads to the
+    /// right, round edges in facets; then the walls along its sides.
+    pub fn polygons(&self, size: f64) -> Vec<Vec<Vec3>> {
+        let sheet = self.sheet(size).map(|sheet| sheet.polygons()).unwrap_or_default();
+        sheet.into_iter().chain(self.sides().into_iter().map(Vec::from)).collect()
+    }
+}
+
+impl Wall {
+    /// The sheet of a wall across the drawing, which reaches so far to either side.
+    fn sheet(&self, half: f64) -> Option<Sheet> {
+        let WallForm::Across { from, to, edge_radius } = self.form else { return None };
+        let ends = [from, to].map(|at| Vec3::new(at.x, at.y, 0.0));
+        let up = Vec3::Z.cross((ends[0] - ends[1]).unit()?);
+        Sheet::between(ends, [Vec3::Z, up], half, edge_radius)
+    }
+
+    /// Its polygons as a picture has them \[m\], so far to either side of the drawing; none of a wall beside it.
+    pub fn polygons(&self, half: f64) -> Vec<Vec<Vec3>> {
+        self.sheet(half).map(|sheet| sheet.polygons()).unwrap_or_default()
+    }
+
+    /// What it is to the part; a wall across the drawing is as wide as needed for parts of this size.
+    pub(super) fn obstacle(&self, size: f64) -> Option<Obstacle> {
+        let found = match self.form {
+            WallForm::Across { .. } => {
+                let sheet = self.sheet(0.5 * WIDE * size)?;
+                obstacle((sheet.corners(0.0, 0.0), sheet.radius))?
+            }
+            WallForm::Beside { z } => {
+                let inwards = Vec3::Z * if z > 0.0 { -1.0 } else { 1.0 };
+                Plane::new(inwards, -z.abs()).ok()?.into()
+            }
+        };
+        Some(found.with_friction(self.friction).with_restitution(self.restitution))
+    }
+}
