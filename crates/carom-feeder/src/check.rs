@@ -3,7 +3,8 @@
 use crate::feeder::{Feeder, FeederProblem, PartKind};
 use crate::form::{Form, before_end, course_length};
 use crate::tolerance::{FARTHEST, NO_LENGTH, VERTICAL};
-use carom_num::Vec2;
+use carom_motion::spatial::Body;
+use carom_num::{Vec2, Vec3};
 use std::fmt;
 
 const NEAR_ENOUGH: &str = "at most 4000 part sizes (largest distance from the mass centre) from the origin";
@@ -65,15 +66,22 @@ impl Findings {
         }
     }
 
+    /// A round bar in space, beside the body that meets it.
+    pub(crate) fn pin(&mut self, of: Of<'_>, ends: [Vec3; 2], radius: f64, body: &Body) {
+        let size = body.reach();
+        for (end, place) in ["from", "to"].into_iter().zip(ends) {
+            for (axis, value) in ["x", "y", "z"].into_iter().zip(place.to_array()) {
+                let near = value.abs() <= FARTHEST * size;
+                self.demand(near, of.key(&format!("{end}.{axis}")), value, NEAR_ENOUGH);
+            }
+        }
+        let told = radius >= Body::LEAST_ROUNDING * size && radius <= FARTHEST * size;
+        self.demand(told, of.key("radius"), radius, "0.00001 to 4000 part sizes");
+    }
+
     /// The radius of the edges of a sheet in space, whose shortest side is so long, beside the body that meets it.
-    pub(crate) fn edge_radius(
-        &mut self,
-        of: Of<'_>,
-        radius: f64,
-        side: f64,
-        body: &carom_motion::spatial::Body,
-    ) {
-        let told = radius == 0.0 || radius >= carom_motion::spatial::Body::LEAST_ROUNDING * body.reach();
+    pub(crate) fn edge_radius(&mut self, of: Of<'_>, radius: f64, side: f64, body: &Body) {
+        let told = radius == 0.0 || radius >= Body::LEAST_ROUNDING * body.reach();
         let fits = (0.0..0.5 * side).contains(&radius);
         let allowed = "0 for a thin sheet, or at least 0.00001 of the part's size, and less than half of the sheet's sides";
         self.demand(told && fits, of.key("edge_radius"), radius, allowed);

@@ -4,14 +4,15 @@ use crate::draft::Draft;
 use crate::layout::laid_out;
 use crate::markup::{Markup, document, html, joined};
 use crate::svg;
-use crate::tolerance::EDGE_ON;
+use crate::tolerance::{EDGE_ON, LEAST_SHEET};
 use crate::view::View;
 use carom_feeder::spatial::{Feeder, WallForm};
 use carom_feeder::{Form, Part, PartKind, Plate, Start, Wall};
 use carom_motion::planar::{Body, Shape};
-use carom_num::Vec2;
+use carom_num::{Vec2, Vec3};
 
 /// The layout as a stand-alone SVG drawing to scale, as [`layout_svg`](crate::layout_svg) draws one in the plane: plates and walls across the drawing by their lines, with slopes and measures,
+/// round pins as they are seen,
 /// and the part at the start with those of its faces that look towards the viewer. The face that is down is marked. Walls beside the drawing are not to be seen from there; a plate that is rolled is
 /// drawn by its middle line.
 ///
@@ -27,6 +28,21 @@ pub fn space_layout_svg(feeder: &Feeder, draft: &Draft) -> String {
     document(laid_out(&drawing, None, draft, true, |view, _| part(feeder, view)))
 }
 
+/// A round bar as it is seen from the side: as long as it looks, its ends half round; a bar across the drawing as a circle.
+fn seen_pin(wall: &carom_feeder::spatial::Wall, ends: [Vec3; 2], radius: f64) -> Option<Wall> {
+    let [from, to] = ends.map(|end| Vec2::new(end.x, end.y));
+    // What has no length on the drawing has the least that a sheet has.
+    let along = (to - from).unit().unwrap_or(Vec2::new(1.0, 0.0)) * (radius * LEAST_SHEET);
+    Some(Wall {
+        name: wall.name.clone(),
+        from: from - along,
+        to: to + along,
+        friction: wall.friction,
+        restitution: wall.restitution,
+        form: Form { edge_radius: radius, ..Form::default() },
+    })
+}
+
 /// What the drawing shows of the feeder but for its part, in whose place there is a disc as large; `None` of a part without a size.
 fn drawing(feeder: &Feeder) -> Option<carom_feeder::Feeder> {
     let plates = feeder.plates.iter().map(|plate| Plate {
@@ -40,6 +56,7 @@ fn drawing(feeder: &Feeder) -> Option<carom_feeder::Feeder> {
     });
     let walls = feeder.walls.iter().filter_map(|wall| match wall.form {
         WallForm::Beside { .. } => None,
+        WallForm::Pin { ends, radius } => seen_pin(wall, ends, radius),
         WallForm::Across { from, to, edge_radius } => Some(Wall {
             name: wall.name.clone(),
             from,

@@ -110,7 +110,7 @@ fn outlines(feeder: &Feeder, size: f64, region: Region) -> Vec<Vec<Vec<Vec3>>> {
 fn wall_outline(wall: &Wall, region: Region) -> Vec<Vec<Vec3>> {
     let Region { low, high } = region.widened((region.high - region.low).norm());
     match wall.form {
-        WallForm::Across { .. } => wall.polygons(low.z.abs().max(high.z.abs())),
+        WallForm::Across { .. } | WallForm::Pin { .. } => wall.polygons(low.z.abs().max(high.z.abs())),
         WallForm::Beside { z } => {
             let corners = [(low.x, low.y), (high.x, low.y), (high.x, high.y), (low.x, high.y)];
             vec![corners.map(|(x, y)| Vec3::new(x, y, z)).to_vec()]

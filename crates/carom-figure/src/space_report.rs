@@ -231,11 +231,10 @@ pub(crate) fn plates(feeder: &Feeder) -> Markup {
     let surface = |friction: f64, restitution: f64| {
         html! { td { (trimmed(friction, 4)) } td { (trimmed(restitution, 4)) } }
     };
+    let or_none = |length: f64| if length > 0.0 { millimetres(length) } else { "–".to_owned() };
     let plate = |(i, plate): (usize, &Plate)| {
         // What the drawing leaves open has a length in the model, which nobody asked for.
         let length = if plate.unbounded { None } else { Some((plate.edge - plate.uphill).norm()) };
-        let side_walls =
-            if plate.side_walls > 0.0 { millimetres(plate.side_walls) } else { "–".to_owned() };
         html! {
             tr {
                 th scope="row" { (part::obstacle(feeder, i)) }
@@ -243,15 +242,22 @@ pub(crate) fn plates(feeder: &Feeder) -> Markup {
                 td { (degrees(plate.roll)) }
                 td { (length.map_or("as needed".to_owned(), millimetres)) }
                 td { (plate.width.map_or("as needed".to_owned(), millimetres)) }
-                td { (side_walls) }
+                td { (or_none(plate.side_walls)) }
+                td { (or_none(plate.edge_radius)) }
                 (surface(plate.friction, plate.restitution))
             }
         }
     };
     let wall = |(i, wall): (usize, &Wall)| {
-        let length = match wall.form {
-            WallForm::Across { from, to, .. } => millimetres((to - from).norm()),
-            WallForm::Beside { .. } => "without ends".to_owned(),
+        let needed = || "as needed".to_owned();
+        let (length, width, radius) = match wall.form {
+            WallForm::Across { from, to, edge_radius } => {
+                (millimetres((to - from).norm()), needed(), edge_radius)
+            }
+            WallForm::Pin { ends: [from, to], radius } => {
+                (millimetres((to - from).norm() + 2.0 * radius), millimetres(2.0 * radius), radius)
+            }
+            WallForm::Beside { .. } => ("without ends".to_owned(), needed(), 0.0),
         };
         html! {
             tr {
@@ -259,14 +265,16 @@ pub(crate) fn plates(feeder: &Feeder) -> Markup {
                 td { "–" }
                 td { "–" }
                 td { (length) }
-                td { "as needed" }
+                td { (width) }
                 td { "–" }
+                td { (or_none(radius)) }
                 (surface(wall.friction, wall.restitution))
             }
         }
     };
     let rows = feeder.plates.iter().enumerate().map(plate).chain(feeder.walls.iter().enumerate().map(wall));
-    let heads = ["plate", "slope", "roll", "length", "width", "side walls", "friction", "restitution"];
+    let heads =
+        ["plate", "slope", "roll", "length", "width", "side walls", "edge radius", "friction", "restitution"];
     html! { section id="plates" { h2 { "Plates and walls" } (table("small", &heads, rows)) } }
 }
 
@@ -275,7 +283,7 @@ pub(crate) fn law(figure: &SpaceFigure<'_>) -> Vec<String> {
     let SpaceFigure { feeder, run, .. } = *figure;
     let (start, body) = (feeder.start, &feeder.part.body);
     let mut said = vec![
-        "Part, plates and walls are rigid: they do not bend, vibrate or dent. Plates and walls have no thickness. Contacts are points; a strike takes no time.".to_owned(),
+        "Part, plates and walls are rigid: they do not bend, vibrate or dent. Plates and walls have no thickness, but for those with an edge radius. Contacts are points; a strike takes no time.".to_owned(),
         "Friction is dry, after Coulomb: at each plate one coefficient, the same for sticking and sliding and in all directions.".to_owned(),
         format!("Restitution after {}: at each plate one coefficient, whatever the speed.", capitalised(feeder.law.word())),
         "There is no air, no dust and no oil; other parts do not touch this one.".to_owned(),

@@ -21,3 +21,5 @@ pub(crate) const LEAST_WIDTH: f64 = 1e-9;
 pub(crate) const SERIES_LEAVES_OUT: f64 = 1e-6;
 /// A face of a part whose picture is smaller than this share of the square of the part's reach is seen edge on: rounding leaves so much of it.
 pub(crate) const EDGE_ON: f64 = 1e-9;
+/// What has no length on a drawing is drawn as a sheet this many times its thickness long \[1\]: none is shorter than it is thick.
+pub(crate) const LEAST_SHEET: f64 = 1.001;

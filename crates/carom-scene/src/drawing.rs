@@ -242,6 +242,15 @@ pub(crate) struct WallDrawing {
     pub(crate) span: Range<usize>,
 }
 
+/// A round bar in space.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PinDrawing {
+    pub(crate) name: String,
+    pub(crate) ends: [[Quantity; 3]; 2],
+    pub(crate) radius: Quantity,
+    pub(crate) surface: Surface,
+}
+
 /// How a wall runs.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum WallCourse {
@@ -343,6 +352,7 @@ pub(crate) struct Drawing {
     pub(crate) plates: Vec<PlateDrawing>,
     pub(crate) zigzag: Option<ZigzagDrawing>,
     pub(crate) walls: Vec<WallDrawing>,
+    pub(crate) pins: Vec<PinDrawing>,
     pub(crate) feed: Option<FeedDrawing>,
     pub(crate) design: Option<Design>,
 }

@@ -31,7 +31,7 @@ pub fn label_beside(path: &str) -> String {
 /// `plate 2` of `plate.1.slope`. No plate has a name that is another's number, so a number is always a place in the list.
 fn label(path: &str) -> Option<String> {
     let mut parts = path.split('.');
-    let kind = parts.next().filter(|kind| ["plate", "wall"].contains(kind))?;
+    let kind = parts.next().filter(|kind| ["plate", "wall", "pin"].contains(kind))?;
     let number: usize = parts.next()?.parse().ok()?;
     Some(format!("{kind} {}", number.checked_add(1)?))
 }

@@ -2,8 +2,8 @@
 
 use crate::chain::{ChainDrawing, course_crosses_itself, read_chain};
 use crate::drawing::{
-    ChannelDrawing, FeedDrawing, Level, Place, PlateDrawing, Reach, Side, WallCourse, WallDrawing, Want,
-    ZigzagDrawing,
+    ChannelDrawing, FeedDrawing, Level, PinDrawing, Place, PlateDrawing, Reach, Side, WallCourse,
+    WallDrawing, Want, ZigzagDrawing,
 };
 use crate::grammar::kind::COORDINATE;
 use crate::grammar::{Section, can_stand_in_paths};
@@ -188,6 +188,23 @@ pub(crate) fn read_walls(root: &Section<'_>) -> Vec<Option<WallDrawing>> {
         })
     };
     walls.map(wall).collect()
+}
+
+/// Reads every `[[pin]]` of a scene in space; `None` in place of one that has problems.
+pub(crate) fn read_pins(root: &Section<'_>) -> Vec<Option<PinDrawing>> {
+    if !root.knows("pin") {
+        return vec![];
+    }
+    let mut names = Names::default();
+    let pin = |(i, section): (usize, Option<Section<'_>>)| {
+        let section = section?;
+        let name = names.read(&section, i);
+        let ends = ["from", "to"].map(|key| section.vector::<3>(key));
+        let [Some(from), Some(to)] = ends else { return None };
+        let radius = section.quantity("radius")?;
+        Some(PinDrawing { name, ends: [from, to], radius, surface: read_surface(&section) })
+    };
+    root.sections("pin").into_iter().enumerate().map(pin).collect()
 }
 
 /// The longest time between two parts of a feed [s].

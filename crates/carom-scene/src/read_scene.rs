@@ -9,7 +9,7 @@ use crate::problem::Problem;
 use crate::quantity::Kind;
 use crate::read_design::read_design;
 use crate::read_part::{read_contact, read_part};
-use crate::read_plate::{read_channel, read_feed, read_plates, read_walls, read_zigzag};
+use crate::read_plate::{read_channel, read_feed, read_pins, read_plates, read_walls, read_zigzag};
 use crate::space::{is_in_space, read_solid};
 use crate::start::read_start;
 
@@ -61,10 +61,12 @@ fn read_drawing(root: &Section<'_>, beside: Beside<'_>) -> Option<Drawing> {
     let plates = read_plates(root);
     let zigzag = read_zigzag(root);
     let walls = read_walls(root);
+    let pins = read_pins(root).into_iter().collect::<Option<Vec<_>>>();
     let feed = read_feed(root);
     let broken = (root.has("channel") && channel.is_none())
         || (root.has("groove") && groove.is_none())
-        || (root.has("zigzag") && zigzag.is_none());
+        || (root.has("zigzag") && zigzag.is_none())
+        || pins.is_none();
     let complete = complete(part.as_ref(), start.as_ref(), &plates, &walls);
     // Without a plate there is nothing to lay out, which is told already.
     let empty = plates.is_empty() && zigzag.is_none();
@@ -80,6 +82,7 @@ fn read_drawing(root: &Section<'_>, beside: Beside<'_>) -> Option<Drawing> {
             plates,
             zigzag,
             walls,
+            pins: pins?,
             feed,
             design: None,
         });

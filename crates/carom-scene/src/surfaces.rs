@@ -4,7 +4,7 @@ use crate::drawing::{Drawing, Surface};
 
 /// What is taken for contacts that are known by the names of their materials.
 pub(crate) fn contact_notes(drawing: &Drawing) -> Vec<String> {
-    let Drawing { contact, channel, groove, plates, zigzag, walls, feed, .. } = drawing;
+    let Drawing { contact, channel, groove, plates, zigzag, walls, pins, feed, .. } = drawing;
     let mut found: Vec<String> = contact.named.iter().map(|named| named.told("contact")).collect();
     let mut tell = |path: String, surface: &Surface| {
         found.extend(surface.named.map(|named| named.told(&format!("{path}.contact"))));
@@ -14,6 +14,7 @@ pub(crate) fn contact_notes(drawing: &Drawing) -> Vec<String> {
     plates.iter().for_each(|plate| tell(format!("plate.{}", plate.name), &plate.surface));
     zigzag.iter().for_each(|zigzag| tell("zigzag".into(), &zigzag.surface));
     walls.iter().for_each(|wall| tell(format!("wall.{}", wall.name), &wall.surface));
+    pins.iter().for_each(|pin| tell(format!("pin.{}", pin.name), &pin.surface));
     feed.iter().for_each(|feed| tell("feed".into(), &feed.surface));
     found
 }

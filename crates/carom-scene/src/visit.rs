@@ -63,6 +63,16 @@ impl Drawing {
             }
             visit_surface(format_args!("wall.{name}"), &mut wall.surface, visitor);
         }
+        for pin in &mut self.pins {
+            let name = &pin.name;
+            for (end, places) in ["from", "to"].into_iter().zip(&mut pin.ends) {
+                for (axis, place) in ["x", "y", "z"].into_iter().zip(places) {
+                    visitor(format_args!("pin.{name}.{end}.{axis}"), place);
+                }
+            }
+            visitor(format_args!("pin.{name}.radius"), &mut pin.radius);
+            visit_surface(format_args!("pin.{name}"), &mut pin.surface, visitor);
+        }
         if let Some(feed) = &mut self.feed {
             visitor(format_args!("feed.parts"), &mut feed.parts);
             visitor(format_args!("feed.interval"), &mut feed.interval);

@@ -34,6 +34,8 @@ fn the_part_says_where_it_is_followed() {
     let space = |text: &str| matches!(AnyScene::parse("some.toml", text), Ok(AnyScene::Space(_)));
     assert!(space(BAR), "a box of three edges");
     assert!(space(&BAR.replace("[part]", "[part]\nshape = \"solid\"")), "by its word");
+    let corners = r#"vertices = [[0, 0, 0], ["20 mm", 0, 0], [0, "20 mm", 0], [0, 0, "20 mm"]]"#;
+    assert!(space(&BAR.replace(r#"box = ["40 mm", "10 mm", "20 mm"]"#, corners)), "by corners in space");
     assert!(!space("[part]\nshape = \"box\""), "a box of the plane");
     let refused = Scene::parse("solid.toml", BAR).unwrap_err().to_string();
     assert!(
@@ -143,6 +145,31 @@ fn plates_and_walls_may_be_sheets_with_round_edges() {
     let thick = problems(&round("31 mm")).to_string();
     for said in ["plate.upper.edge_radius: 31 mm is out of range", "less than half of the sheet's sides"] {
         assert!(thick.contains(said), "{said}: {thick}");
+    }
+}
+
+#[test]
+fn pins_stand_where_a_scene_says() {
+    let pinned = |radius: &str, name: &str| {
+        let pin = format!(
+            "[[pin]]\n{name}from = [\"60 mm\", \"-80 mm\", \"-30 mm\"]\nto = [\"60 mm\", \"-80 mm\", \"30 mm\"]\nradius = \"{radius}\""
+        );
+        format!("{BAR}\n{pin}\nrestitution = 0.2\n")
+    };
+    let scene = SpaceScene::parse("pin.toml", &pinned("5 ± 0.2 mm", "")).unwrap();
+    let paths: Vec<String> = scene.quantities().into_iter().map(|quantity| quantity.path).collect();
+    for path in ["pin.0.from.z", "pin.0.radius", "pin.0.restitution"] {
+        assert!(paths.iter().any(|own| own == path), "{path} is not among {paths:?}");
+    }
+    let run = scene.feeder().run().unwrap();
+    assert_eq!((scene.feeder().walls[0].name.as_str(), &run.walls_touched[..]), ("pin 1", &[0][..]));
+    let free = SpaceScene::parse("bar.toml", BAR).unwrap().feeder().run().unwrap();
+    assert!((run.impacts[0].time - free.impacts[0].time).abs() > 0.01, "it is struck first");
+    let thin = problems(&pinned("1e-6 mm", "name = \"post\"\n")).to_string();
+    assert!(thin.contains("pin.post.radius") && thin.contains("0.00001 to 4000 part sizes"), "{thin}");
+    let bare = problems(&format!("{BAR}\n[[pin]]\nfrom = [\"1 mm\", 0]\n")).to_string();
+    for said in ["pin.0.from", "pin.0.to", "pin.0.radius"] {
+        assert!(bare.contains(said), "{said}: {bare}");
     }
 }
 

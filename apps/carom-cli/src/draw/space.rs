@@ -29,6 +29,9 @@ struct Sheet {
     /// Null where it is as wide as needed.
     width_m: Option<f64>,
     side_walls_m: f64,
+    /// Of a sheet with round edges.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    edge_radius_m: Option<f64>,
     friction: f64,
     restitution: f64,
     /// True where the drawing gives no length.
@@ -45,6 +48,14 @@ struct Wall {
     ends_m: Option<[[f64; 2]; 2]>,
     /// Where a wall beside the drawing is; null of one across it.
     z_m: Option<f64>,
+    /// Of a pin: its radius, and how far out of the drawing its ends are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pin_radius_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pin_ends_z_m: Option<[f64; 2]>,
+    /// Of a wall with round edges.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    edge_radius_m: Option<f64>,
     friction: f64,
     restitution: f64,
 }
@@ -97,6 +108,40 @@ fn pair(at: Vec2) -> [f64; 2] {
     [at.x, at.y]
 }
 
+/// The radius of round edges; none of sharp ones.
+fn is_round(radius: f64) -> Option<f64> {
+    (radius > 0.0).then_some(radius)
+}
+
+/// A wall or pin as it is laid out.
+fn laid(wall: &carom_feeder::spatial::Wall) -> Wall {
+    let (friction, restitution) = (wall.friction, wall.restitution);
+    let (pin_radius_m, pin_ends_z_m, edge_radius_m) = (None, None, None);
+    let name = wall.name.clone();
+    let bare = Wall {
+        name,
+        ends_m: None,
+        z_m: None,
+        pin_radius_m,
+        pin_ends_z_m,
+        edge_radius_m,
+        friction,
+        restitution,
+    };
+    match wall.form {
+        WallForm::Across { from, to, edge_radius } => {
+            Wall { ends_m: Some([from, to].map(pair)), edge_radius_m: is_round(edge_radius), ..bare }
+        }
+        WallForm::Pin { ends, radius } => Wall {
+            ends_m: Some(ends.map(|end| [end.x, end.y])),
+            pin_radius_m: Some(radius),
+            pin_ends_z_m: Some(ends.map(|end| end.z)),
+            ..bare
+        },
+        WallForm::Beside { z } => Wall { z_m: Some(z), ..bare },
+    }
+}
+
 fn layout(scene: &SpaceScene) -> Layout {
     let feeder = scene.feeder();
     let measures = scene.measures();
@@ -110,17 +155,11 @@ fn layout(scene: &SpaceScene) -> Layout {
         roll_rad: plate.roll,
         width_m: plate.width,
         side_walls_m: plate.side_walls,
+        edge_radius_m: is_round(plate.edge_radius),
         friction: plate.friction,
         restitution: plate.restitution,
         unbounded: plate.unbounded,
         written: written(&measures, i),
-    };
-    let wall = |wall: &carom_feeder::spatial::Wall| {
-        let (ends_m, z_m) = match wall.form {
-            WallForm::Across { from, to, .. } => (Some([from, to].map(pair)), None),
-            WallForm::Beside { z } => (None, Some(z)),
-        };
-        Wall { name: wall.name.clone(), ends_m, z_m, friction: wall.friction, restitution: wall.restitution }
     };
     // The start of a single drop, on the most probable face where the scene has several.
     let state = feeder.start_state();
@@ -128,7 +167,7 @@ fn layout(scene: &SpaceScene) -> Layout {
     Layout {
         scene: scene.name().to_owned(),
         plates: feeder.plates.iter().enumerate().map(sheet).collect(),
-        walls: feeder.walls.iter().map(wall).collect(),
+        walls: feeder.walls.iter().map(laid).collect(),
         mass_kg: feeder.part.body.mass(),
         inertia_kg_m2: rows.map(|row| row.to_array()),
         faces: SolidFaceReport::of(scene),
@@ -201,7 +240,11 @@ fn rows(layout: &Layout) -> Vec<Vec<String>> {
             (None, z) => [z.map_or_else(dash, |z| format!("z {}", length(z))), dash()],
         };
         let surface = [number(wall.friction), number(wall.restitution)];
-        let mut row = vec![wall.name.clone(), "wall".to_owned(), dash(), dash(), needed(), dash(), from, to];
+        let (kind, width) = match wall.pin_radius_m {
+            Some(radius) => ("pin", length(2.0 * radius)),
+            None => ("wall", needed()),
+        };
+        let mut row = vec![wall.name.clone(), kind.to_owned(), dash(), dash(), width, dash(), from, to];
         row.extend(surface);
         row
     };

@@ -1,7 +1,7 @@
 //! A feeder made ready, and its run.
 
 use super::course::Watcher;
-use super::feeder::{Feeder, Start, WallForm};
+use super::feeder::{Feeder, Start, Wall, WallForm};
 use super::run::Run;
 use super::sheets::obstacle;
 use crate::check::{Findings, Of};
@@ -70,8 +70,8 @@ impl Feeder {
     }
 
     fn path(&self, owner: usize) -> String {
-        let kind = if owner < self.plates.len() { "plate" } else { "wall" };
-        format!("{kind}.{}", self.obstacle_name(owner))
+        let wall = owner.checked_sub(self.plates.len()).and_then(|i| self.walls.get(i));
+        format!("{}.{}", wall.map_or("plate", Wall::kind), self.obstacle_name(owner))
     }
 
     /// The world the part moves in, and of which plate or wall each of its obstacles is.
@@ -159,12 +159,13 @@ impl Feeder {
             found.edge_radius(of, plate.edge_radius, least, &self.part.body);
         }
         for wall in &self.walls {
-            let of = Of { kind: "wall", name: &wall.name };
+            let of = Of { kind: wall.kind(), name: &wall.name };
             match wall.form {
                 WallForm::Across { from, to, edge_radius } => {
                     found.segment(of, from, to, size);
                     found.edge_radius(of, edge_radius, (to - from).norm(), &self.part.body);
                 }
+                WallForm::Pin { ends, radius } => found.pin(of, ends, radius, &self.part.body),
                 WallForm::Beside { z } => {
                     found.demand(z.is_finite() && z != 0.0, of, z, "a number but 0");
                 }

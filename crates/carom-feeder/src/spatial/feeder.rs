@@ -175,6 +175,13 @@ pub enum WallForm {
         /// Radius of its edges [m]: it is then a sheet twice as thick about that line, its ends half round. Thin and sharp at 0.
         edge_radius: f64,
     },
+    /// A round bar: all places within a radius of the line between two ends [m].
+    Pin {
+        /// Its ends.
+        ends: [Vec3; 2],
+        /// Its radius [m].
+        radius: f64,
+    },
     /// A plane without ends beside the drawing, parallel to it: at this z [m], touched from the side of the drawing. Two of them make a groove.
     Beside {
         /// Where it is.

@@ -8,7 +8,7 @@ use carom_num::{Rotation, Vec3};
 use std::f64::consts::PI;
 
 /// Facets of a half round edge in a picture.
-const FACETS: u32 = 8;
+const FACETS: u32 = 4;
 
 /// Axes of a plate, world axes: downhill, out of its upper side, and across it.
 #[derive(Clone, Copy, Debug)]
@@ -125,6 +125,11 @@ impl Plate {
 }
 
 impl Wall {
+    /// What scenes call it.
+    pub(super) fn kind(&self) -> &'static str {
+        if matches!(self.form, WallForm::Pin { .. }) { "pin" } else { "wall" }
+    }
+
     /// The sheet of a wall across the drawing, which reaches so far to either side.
     fn sheet(&self, half: f64) -> Option<Sheet> {
         let WallForm::Across { from, to, edge_radius } = self.form else { return None };
@@ -133,8 +138,11 @@ impl Wall {
         Sheet::between(ends, [Vec3::Z, up], half, edge_radius)
     }
 
-    /// Its polygons as a picture has them \[m\], so far to either side of the drawing; none of a wall beside it.
+    /// Its polygons as a picture has them \[m\], so far to either side of the drawing, a pin in facets; none of a wall beside it.
     pub fn polygons(&self, half: f64) -> Vec<Vec<Vec3>> {
+        if let WallForm::Pin { ends, radius } = self.form {
+            return pin_polygons(ends, radius);
+        }
         self.sheet(half).map(|sheet| sheet.polygons()).unwrap_or_default()
     }
 
@@ -145,6 +153,7 @@ impl Wall {
                 let sheet = self.sheet(0.5 * WIDE * size)?;
                 obstacle((sheet.corners(0.0, 0.0), sheet.radius))?
             }
+            WallForm::Pin { ends, radius } => Obstacle::pin(ends, radius).ok()?,
             WallForm::Beside { z } => {
                 let inwards = Vec3::Z * if z > 0.0 { -1.0 } else { 1.0 };
                 Plane::new(inwards, -z.abs()).ok()?.into()
@@ -152,4 +161,33 @@ impl Wall {
         };
         Some(found.with_friction(self.friction).with_restitution(self.restitution))
     }
+}
+
+/// Facets of a round bar and of its half balls: rings from one end to the other.
+fn pin_polygons([from, to]: [Vec3; 2], radius: f64) -> Vec<Vec<Vec3>> {
+    let along = (to - from).unit().unwrap_or(Vec3::Y);
+    let [first, second] = along.tangents();
+    let around = 4 * FACETS;
+    let ring = |middle: Vec3, off: f64| {
+        let point = move |k: u32| {
+            let (sine, cosine) = sin_cos(2.0 * PI * f64::from(k) / f64::from(around));
+            middle + (first * cosine + second * sine) * off
+        };
+        (0..around).map(point).collect::<Vec<_>>()
+    };
+    let cap = |end: Vec3, sign: f64| {
+        let turn = move |k: u32| sin_cos(0.5 * PI * f64::from(k) / f64::from(FACETS));
+        (0..FACETS).map(move |k| (end + along * (sign * radius * turn(k).0), radius * turn(k).1))
+    };
+    let rings: Vec<Vec<Vec3>> =
+        cap(from, -1.0).rev().chain(cap(to, 1.0)).map(|(at, off)| ring(at, off)).collect();
+    let bands = rings.windows(2).flat_map(|pair| {
+        let n = pair[0].len();
+        (0..n).map(move |k| {
+            let next = (k + 1) % n;
+            vec![pair[0][k], pair[0][next], pair[1][next], pair[1][k]]
+        })
+    });
+    let ends = [rings.first(), rings.last()].into_iter().flatten().cloned();
+    bands.collect::<Vec<_>>().into_iter().chain(ends).collect()
 }

@@ -50,7 +50,11 @@ fn is_solid(entries: &[Entry]) -> bool {
     let mesh = |name: &str| name.to_ascii_lowercase().ends_with(".stl");
     match value("shape") {
         Some(shape) => matches!(shape, Value::Text(word) if word == "solid"),
-        None => value("box").is_some() || matches!(value("file"), Some(Value::Text(name)) if mesh(name)),
+        None => {
+            value("box").is_some()
+                || value("vertices").is_some_and(|all| items(all).iter().any(|one| is_triple(&one.value)))
+                || matches!(value("file"), Some(Value::Text(name)) if mesh(name))
+        }
     }
 }
 

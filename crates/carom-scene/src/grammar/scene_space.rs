@@ -37,6 +37,7 @@ pub(super) static SPACE_ROOT: Table = Table {
         key("plate", Holds::Tables(&SPACE_PLATES), "The plates, in the order in which the part meets them.")
             .needed_as("at least one [[plate]]"),
         key("wall", Holds::Tables(&SPACE_WALLS), "Other obstacles across the drawing."),
+        key("pin", Holds::Tables(&PINS), "Round pins, wherever they are and whichever way they point."),
         key("design", Holds::Table(&DESIGN), "What `carom design` may choose, must keep and aims at."),
     ]],
     rules: &[],
@@ -58,7 +59,7 @@ pub(super) static SPACE_ROOT: Table = Table {
         key: "friction",
         or: "contact",
         from: "contact",
-        heirs: &["plate", "wall", "channel"],
+        heirs: &["plate", "wall", "channel", "pin"],
         missing: "a plain number, for every plate and wall that has no friction of its own",
     }],
 };
@@ -271,5 +272,24 @@ static SPACE_WALL: Table = Table {
     ],
     rules: &[OWN_SURFACE],
     foreign: &[BENT],
+    inherited: &[],
+};
+
+static PINS: Tables = Tables { of: &PIN, least: 0, most: usize::MAX, named: true, first: &[], later: &[] };
+
+static PIN: Table = Table {
+    name: "Pin",
+    about: "A round bar between two places, [x, y, z], with half balls about them; a ball where they are one place.",
+    keys: &[
+        &[
+            NAME,
+            key("from", Holds::Vector(COORDINATE, 3), "The middle of the ball at one end.").needed(),
+            key("to", Holds::Vector(COORDINATE, 3), "The middle of the ball at the other end.").needed(),
+            key("radius", Holds::Quantity(LENGTH), "Its radius.").needed(),
+        ],
+        SURFACE,
+    ],
+    rules: &[OWN_SURFACE],
+    foreign: &[],
     inherited: &[],
 };

@@ -359,9 +359,10 @@ fn condition(when: When) -> Value {
         }
         When::Solid(table) => {
             let mesh = is("file", json!({ "pattern": "[.][sS][tT][lL]$" }));
+            let corners = is("vertices", json!({ "type": "array", "contains": vector(3) }));
             let bare = json!({
                 "not": { "required": ["shape"] },
-                "anyOf": [{ "required": ["box"] }, mesh],
+                "anyOf": [{ "required": ["box"] }, mesh, corners],
             });
             is(table, json!({ "type": "object", "anyOf": [is("shape", json!({ "const": "solid" })), bare] }))
         }

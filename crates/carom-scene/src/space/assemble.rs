@@ -205,7 +205,7 @@ fn wide(drawn: &PlateDrawing, plate: carom_feeder::Plate) -> Plate {
     }
 }
 
-/// Walls across the drawing, then those beside it.
+/// Walls across the drawing, then those beside it, then pins.
 fn walls(drawing: &Drawing, flat: Vec<carom_feeder::Wall>) -> Vec<Wall> {
     let across = flat.into_iter().map(|wall| Wall {
         form: WallForm::Across { from: wall.from, to: wall.to, edge_radius: wall.form.edge_radius },
@@ -224,7 +224,13 @@ fn walls(drawing: &Drawing, flat: Vec<carom_feeder::Wall>) -> Vec<Wall> {
             restitution,
         })
     });
-    across.chain(beside).collect()
+    let pins = drawing.pins.iter().enumerate().map(|(i, pin)| {
+        let (friction, restitution) = surface_of(drawing, &pin.surface);
+        let ends = pin.ends.each_ref().map(|[x, y, z]| Vec3::new(x.value, y.value, z.value));
+        let name = if pin.name == i.to_string() { format!("pin {}", i + 1) } else { pin.name.clone() };
+        Wall { name, form: WallForm::Pin { ends, radius: pin.radius.value }, friction, restitution }
+    });
+    across.chain(beside).chain(pins).collect()
 }
 
 /// What is wanted of a plate that this part cannot do.
