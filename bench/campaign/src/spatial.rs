@@ -72,7 +72,13 @@ fn deepest(feeder: &Feeder, run: &Run) -> f64 {
     let (size, corners) = (body.reach(), body.supports());
     let radius = body.rounding().unwrap_or_default();
     let edges = edges(&feeder.part);
-    let sheets: Vec<([Vec3; 4], f64)> = feeder.plates.iter().flat_map(|plate| plate.sheets(size)).collect();
+    let mut sheets: Vec<([Vec3; 4], f64)> =
+        feeder.plates.iter().flat_map(|plate| plate.sheets(size)).collect();
+    // A pin is a sheet without width.
+    sheets.extend(feeder.walls.iter().filter_map(|wall| match wall.form {
+        WallForm::Pin { ends: [from, to], radius } => Some(([from, from, to, to], radius)),
+        _ => None,
+    }));
     let mut deepest = 0.0_f64;
     for (_, _, state) in &run.samples.instants {
         let place = |i: usize| state.place(corners[i]);
@@ -219,6 +225,20 @@ fn solid(rng: &mut Pcg64) -> Option<Part> {
     Part::of(&hull, &hull.solid().ok()?, 7850.0).ok()
 }
 
+/// A round bar, long or short, below the free edge of the first plate.
+fn pin(rng: &mut Pcg64, i: usize, size: f64, edge: Vec2) -> Wall {
+    let radius = size * draw::across(rng, 0.02, 1.0);
+    let mut near = |far: f64| size * draw::between(rng, -far, far);
+    let from = Vec3::new(edge.x + near(3.0), edge.y - 4.0 * size + near(1.5), near(2.0));
+    let to = from + Vec3::new(near(2.0), near(1.0), near(4.0));
+    Wall {
+        name: format!("pin{i}"),
+        form: WallForm::Pin { ends: [from, to], radius },
+        friction: draw::friction(rng),
+        restitution: draw::restitution(rng).min(0.95),
+    }
+}
+
 /// Two to four plates that zigzag, with a roll, ends and side walls now and then, and now and then a groove.
 fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
     let part = solid(rng)?;
@@ -259,7 +279,7 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
         friction: draw::friction(rng),
         restitution: draw::restitution(rng).min(0.95),
     };
-    let walls = walls.into_iter().enumerate().map(beside).collect();
+    let mut walls: Vec<Wall> = walls.into_iter().enumerate().map(beside).collect();
     let start = Start {
         to_edge: size * draw::between(rng, 1.1, 3.5),
         aside: if rng.random_bool(0.5) { size * draw::between(rng, -0.3, 0.3) } else { 0.0 },
@@ -270,6 +290,10 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
     let stop = if rng.random_bool(0.5) { Stop::Landed } else { Stop::Delivered };
     let law = draw::law(rng);
     let part = rounded(rng, part);
+    if rng.random_bool(0.2) {
+        let edge = plates[0].edge;
+        walls.extend((0..rng.random_range(1..4)).map(|i| pin(rng, i, size, edge)));
+    }
     if rng.random_bool(0.2) {
         for plate in &mut plates {
             let short = plate.width.unwrap_or(size).min((plate.edge - plate.uphill).norm()).min(size);

@@ -2,7 +2,7 @@
 
 use crate::bodies::ran;
 use carom_motion::spatial::{
-    Body, End, Feature, Friction, Mode, Obstacle, Options, Plane, State, World, run,
+    Body, End, Feature, Friction, Mode, Obstacle, Options, PieceEnd, Plane, State, Touch, World, run,
 };
 use carom_num::elementary::{cos, sin};
 use carom_num::{Mat3, Rotation, Vec3};
@@ -181,4 +181,27 @@ fn a_thrown_block_comes_to_rest_on_a_rounded_plate_and_in_nothing() {
         strikes += run.impacts.len();
     }
     assert!(rests >= 10 && strikes > 40, "{rests} {strikes}");
+}
+
+/// A block on its edge on top of a ball, or of a bar's end, falls back onto its face: there the ball's middle is farther from the block than its own corners are.
+#[test]
+fn a_block_that_falls_from_its_edge_onto_its_face_stays_on_the_ball() {
+    let (half, radius) = ([0.04, 0.03, 0.02], 0.05);
+    let bars = [[Vec3::ZERO; 2], [Vec3::ZERO, Vec3::new(0.0, 0.3, -0.1)]];
+    for (ends, k) in bars.into_iter().flat_map(|ends| (0..12_u32).map(move |k| (ends, k))) {
+        let world = among(block(half, 0.0), 2.0, vec![Obstacle::pin(ends, radius).unwrap()]);
+        let (top, attitude) = (Vec3::Z * radius, Rotation::by(Vec3::Y * (0.1 + 0.013 * f64::from(k))));
+        let spin = Vec3::Y * -1.0;
+        let arm = attitude.apply(Vec3::new(half[0], 0.001 * f64::from(k), -half[2]));
+        let start = State { centre: top - arm, attitude, velocity: spin.cross(-arm), spin };
+        let (_, samples) = ran(&world, &start, 0.12);
+        let [edge, face] = [samples.pieces[0], samples.pieces[1]];
+        assert!(matches!(edge.ended_by, PieceEnd::RunsOff { .. }), "{edge:?}");
+        let on = face.mode.held(&world).iter().map(|support| world.touch(support)).collect::<Vec<_>>();
+        assert!(matches!(on[..], [Some(Touch::Face { corner: 0, .. })]), "{on:?}");
+        for (time, _, state) in &samples.instants {
+            let deep = world.reaches_into(state, 1e-9);
+            assert!(deep.is_empty(), "at {time} s: {deep:?}");
+        }
+    }
 }

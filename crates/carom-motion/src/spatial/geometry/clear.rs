@@ -81,11 +81,12 @@ impl World {
         let spare = spare + CLEAR_OF_ROUNDING * self.body().reach();
         match self.pair(support) {
             None => self.point_is_clear(support, ahead, spare),
-            Some(Pair::Corner { face, corner, .. }) => {
+            Some(Pair::Corner { face, corner, radius, .. }) => {
                 // The corner as the body sees it: the face's own point there moves with the body.
                 let seen = ahead.seen(*corner);
                 let (_, far) = ahead.moves(seen);
-                face.plane.height(seen).abs() > far + spare || seen.norm() > self.body().reach() + far + spare
+                let reach = self.body().reach() + radius;
+                face.plane.height(seen).abs() > far + spare || seen.norm() > reach + far + spare
             }
             Some(Pair::Cross(Crossing { own, other, radius, .. })) => {
                 let spare = spare + radius;
