@@ -115,18 +115,15 @@ fn is_round(radius: f64) -> Option<f64> {
 
 /// A wall or pin as it is laid out.
 fn laid(wall: &carom_feeder::spatial::Wall) -> Wall {
-    let (friction, restitution) = (wall.friction, wall.restitution);
-    let (pin_radius_m, pin_ends_z_m, edge_radius_m) = (None, None, None);
-    let name = wall.name.clone();
     let bare = Wall {
-        name,
+        name: wall.name.clone(),
         ends_m: None,
         z_m: None,
-        pin_radius_m,
-        pin_ends_z_m,
-        edge_radius_m,
-        friction,
-        restitution,
+        pin_radius_m: None,
+        pin_ends_z_m: None,
+        edge_radius_m: None,
+        friction: wall.friction,
+        restitution: wall.restitution,
     };
     match wall.form {
         WallForm::Across { from, to, edge_radius } => {

@@ -189,5 +189,5 @@ fn pin_polygons([from, to]: [Vec3; 2], radius: f64) -> Vec<Vec<Vec3>> {
         })
     });
     let ends = [rings.first(), rings.last()].into_iter().flatten().cloned();
-    bands.collect::<Vec<_>>().into_iter().chain(ends).collect()
+    bands.chain(ends).collect()
 }
