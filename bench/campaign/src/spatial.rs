@@ -212,7 +212,7 @@ fn solid(rng: &mut Pcg64) -> Option<Part> {
         }
         1 => cloud[..4].to_vec(),
         2 => {
-            let (sides, high) = (rng.random_range(3..9), size * draw::across(rng, 0.02, 3.0));
+            let (sides, high) = (rng.random_range(3..33), size * draw::across(rng, 0.02, 3.0));
             let corner = |i: u32| {
                 let at = Vec2::at_angle(std::f64::consts::TAU * f64::from(i / 2) / f64::from(sides));
                 Vec3::new(size * at.x, size * at.y, if i.is_multiple_of(2) { -high } else { high })

@@ -14,4 +14,5 @@ mod paper;
 mod random;
 mod random_feeders;
 mod spatial;
+mod spatial_discs;
 mod strikes;

@@ -43,6 +43,7 @@ mod spatial_sliding;
 mod spatial_stools;
 mod spatial_symmetries;
 mod spatial_thrown;
+mod spatial_wide_faces;
 mod starts;
 mod stools;
 mod theory;

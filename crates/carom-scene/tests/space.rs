@@ -46,6 +46,28 @@ fn the_part_says_where_it_is_followed() {
     assert!(flat.contains("followed in the plane"), "{flat}");
 }
 
+/// A washer of 24 sides lands; one of 96 is refused before anything is followed.
+#[test]
+fn round_parts_may_have_many_sides() {
+    let scene = |sides: u32| {
+        let corner = |y: f64| {
+            move |k: u32| {
+                let at = std::f64::consts::TAU * f64::from(k) / f64::from(sides);
+                let (sine, cosine) = carom_num::elementary::sin_cos(at);
+                format!("[{}, {y}, {}]", 0.015 * cosine, 0.015 * sine)
+            }
+        };
+        let corners: Vec<String> =
+            (0..sides).map(corner(-2e-3)).chain((0..sides).map(corner(2e-3))).collect();
+        let vertices = format!("vertices = [{}]", corners.join(", "));
+        BAR.replace(r#"box = ["40 mm", "10 mm", "20 mm"]"#, &vertices)
+    };
+    let washer = SpaceScene::parse("washer.toml", &scene(24)).unwrap();
+    assert_eq!(washer.feeder().run_untraced().unwrap().outcome, Outcome::Landed);
+    let told = problems(&scene(96)).to_string();
+    assert!(told.contains("part: has a face of 96 corners: at most 95 are followed"), "{told}");
+}
+
 #[test]
 fn all_problems_of_a_scene_are_told() {
     let text = r#"

@@ -13,6 +13,12 @@ use carom_num::elementary::atan2;
 use carom_num::{Rotation, Vec3};
 use std::f64::consts::PI;
 
+/// Strikes after which a run ends: so many, or so many times the square of the corners of a face.
+const MOST_STRIKES: u64 = 5_000;
+const WOBBLES: u64 = 10;
+/// Steps after which it ends, for each of these strikes.
+const STEPS_A_STRIKE: u64 = 10;
+
 /// A feeder that was checked and turned into a world, ready for any number of runs.
 #[derive(Clone, Debug)]
 pub struct Prepared<'f> {
@@ -52,7 +58,7 @@ impl Feeder {
     /// # Errors
     /// As [`Feeder::prepare`]; [`RunError::Motion`] for a fault of the numbers.
     pub fn run(&self) -> Result<Run, RunError> {
-        self.prepare(options())?.run()
+        self.prepare(self.options())?.run()
     }
 
     /// Runs the feeder without samples and stages: for its outcome and landings.
@@ -60,7 +66,19 @@ impl Feeder {
     /// # Errors
     /// As [`Feeder::run`].
     pub fn run_untraced(&self) -> Result<Run, RunError> {
-        self.prepare(options())?.run_untraced()
+        self.prepare(self.options())?.run_untraced()
+    }
+
+    /// Budgets of a run: what chatters longer than this never comes to lie flat. A part that wobbles to rest on a round face strikes with its corners by turns, some n² times of n corners.
+    pub(crate) fn options(&self) -> Options {
+        let corners = self.part.faces.iter().map(|face| face.corners.len() as u64).max().unwrap_or_default();
+        let most_impacts = MOST_STRIKES.max(WOBBLES * corners * corners);
+        Options {
+            most_time: 60.0,
+            most_steps: STEPS_A_STRIKE * most_impacts,
+            most_impacts,
+            ..Options::default()
+        }
     }
 
     /// The name of a plate or wall: plates first, then walls.
@@ -193,11 +211,6 @@ impl Feeder {
         found.demand(aside.abs() <= half, "start.aside", aside, allowed);
         found.upright(run.norm() > 0.0 && run.x.abs() <= VERTICAL * run.norm());
     }
-}
-
-/// Budgets of a run: what chatters longer than this never comes to lie flat.
-pub(crate) fn options() -> Options {
-    Options { most_time: 60.0, most_steps: 50_000, most_impacts: 5_000, ..Options::default() }
 }
 
 /// The least turn that lays the face with this normal down, level; about z where it is half a turn.

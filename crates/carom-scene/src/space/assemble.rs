@@ -13,7 +13,7 @@ use crate::surfaces::{contact_notes, surface_of};
 use crate::tolerance::ONE_FACE;
 use crate::unit::Dimension;
 use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};
-use carom_motion::spatial::{Body, BodyProblem, Options};
+use carom_motion::spatial::{Body, BodyProblem, Options, Polyhedron, Supports};
 use carom_num::Vec3;
 
 /// A feeder and what is known about its drawing.
@@ -116,6 +116,15 @@ fn unfit_radius(shape: &ThrownShape, centre: Vec3) -> Option<String> {
     (radius < least).then(message)
 }
 
+/// Why a hull has a face that cannot be followed, and what to do instead; `None` where it has none.
+fn too_wide(hull: &Polyhedron) -> Option<(String, String)> {
+    let largest = hull.faces().iter().map(|face| face.corners.len()).max().unwrap_or_default();
+    let most = Supports::TOGETHER;
+    let message =
+        || format!("has a face of {largest} corners: at most {most} are followed, as all may touch at once");
+    (largest > most).then(|| (message(), format!("draw its circles with at most {most} sides")))
+}
+
 /// The part: its hull, and what fills it.
 fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> {
     let own = solid.shape.solid;
@@ -130,6 +139,9 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
         |path: &str, message: String| Problem::new(ProblemKind::Geometry, path, message, span.clone());
     if let Some(message) = unfit_radius(&solid.shape, centre) {
         return Err(vec![problem("part.corner_radius", message)]);
+    }
+    if let Some((message, help)) = too_wide(solid.shape.touching().0) {
+        return Err(vec![problem("part", message).with_help(help)]);
     }
     let found = Part::about(solid.shape.touching(), centre, (mass, inertia));
     let mut part = found.map_err(|problems| {

@@ -27,7 +27,7 @@ impl Walker<'_> {
         touching: Supports,
         striking: Supports,
     ) -> Result<Option<End>, MotionError> {
-        let answer = self.blow(touching, None)?;
+        let (touching, answer) = self.blow_on_all(touching, None)?;
         self.struck(touching, striking, answer)
     }
 
@@ -37,7 +37,7 @@ impl Walker<'_> {
         striking: Supports,
         Answer { conclusion, way }: Answer,
     ) -> Result<Option<End>, MotionError> {
-        touching.iter().for_each(|i| self.heights[i] = 0.0);
+        touching.union(self.beside).iter().for_each(|i| self.heights[i] = 0.0);
         self.effort.impacts += 1;
         let Some(way) = way else { return Ok(Some(without_way(conclusion, Clock::Impact))) };
         if conclusion == Conclusion::Several && self.options.choice == Choice::End {
@@ -67,6 +67,7 @@ impl Walker<'_> {
         if self.forced.1 > MOST_FORCED {
             return Ok(Some(no_motion()));
         }
+        let touching = self.askable(touching);
         let slips = |i: usize| self.slip_of(i) != Vec3::ZERO;
         // Where some stick the press alone would be taken back. What has just come down slowly had an approach, which holding it has taken away.
         let presses = !self.come_down(touching).is_empty() || touching.iter().all(slips);
@@ -78,7 +79,7 @@ impl Walker<'_> {
         let sliding = touching.those(slips);
         let mut least = None;
         for press in std::iter::once(&0.0).chain(pressed) {
-            let answer = self.blow(touching, Some(*press))?;
+            let (touching, answer) = self.blow_on_all(touching, Some(*press))?;
             if !pushes(&answer) {
                 continue;
             }
@@ -88,10 +89,10 @@ impl Walker<'_> {
             if *press == 0.0 || !goes_on {
                 return self.struck(touching, Supports::NONE, answer);
             }
-            least = least.or(Some(answer));
+            least = least.or(Some((touching, answer)));
         }
         match least {
-            Some(answer) => self.struck(touching, Supports::NONE, answer),
+            Some((touching, answer)) => self.struck(touching, Supports::NONE, answer),
             None => Ok(Some(no_motion())),
         }
     }
@@ -103,7 +104,7 @@ impl Walker<'_> {
 
     /// The impact of these supports. There is no way on where they jam; else there is one, also where the law leaves several. `press` is given
     /// where friction forces the impact: supports that have just come down approach at it, or else those that are held, in units of the motion's speeds.
-    fn blow(&self, touching: Supports, press: Option<f64>) -> Result<Answer, MotionError> {
+    pub(super) fn blow(&self, touching: Supports, press: Option<f64>) -> Result<Answer, MotionError> {
         match touching.len() {
             0..=2 => self.blow_sized::<2>(touching, press),
             3..=4 => self.blow_sized::<4>(touching, press),

@@ -98,6 +98,7 @@ impl Walker<'_> {
         self.level_heights(mode);
         // A body at rest may lie on more supports than the series' impacts have kept.
         let resting = if matches!(mode, Mode::Rest { .. }) { self.touching()? } else { Supports::NONE };
+        let resting = self.spoken_for(resting, series.kept);
         let kept = series.kept.union(resting);
         let end = self.hold(kept, None)?;
         if !all_held(world, self.mode, kept) && self.impacts.len() == impacts {

@@ -32,13 +32,13 @@ pub(super) struct Place<Y> {
 }
 
 impl<M: Motion> Gliding<'_, '_, M> {
+    /// Where forces do not exist, as where all places that carry come together, it is no number: an event next to such a place is taken where the search has found it.
     pub(super) fn value_at(&self, event: &Event, y: &M::Y, at: &Posture, known: &M::Known) -> f64 {
-        let value = match *event {
-            Event::Touches(support) => return self.height(support, at).value,
+        match *event {
+            Event::Touches(support) => self.height(support, at).value,
             Event::Overturns => self.uprightness(at),
             _ => self.motion.value(event, y, at, known),
-        };
-        evaluated(Quantity::Event, value)
+        }
     }
 
     /// Positive as long as the body has not overturned.
@@ -151,14 +151,15 @@ impl<M: Motion> Gliding<'_, '_, M> {
         Some(first)
     }
 
-    /// The value of an event's function at a place of a step.
+    /// The value of an event's function at a place of a step, searched for the first fall: one that is no number hides it.
     fn value_in(&mut self, step: &Step<M::Y>, event: &Event, x: f64) -> f64 {
         let Place { y, at, .. } = self.place(step, x);
         let known = self.known_at.iter().find(|(known, _)| known.to_bits() == x.to_bits());
-        match known {
+        let value = match known {
             Some((_, known)) => self.value_at(event, &y, &at, known),
             None => self.value_at(event, &y, &at, &self.motion.known(&y)),
-        }
+        };
+        evaluated(Quantity::Event, value)
     }
 
     /// The same up to a place of a step. Forces do not exist where all places that carry come together: where something ends the mode before, none is lost.

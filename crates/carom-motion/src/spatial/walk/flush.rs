@@ -9,21 +9,32 @@ use crate::spatial::geometry::surface::Edge;
 use crate::tolerance::{LEAST_SPAN, ON_EDGE, ONE_PLACE, SKIMS_BESIDE};
 use carom_num::Vec3;
 
+/// A mark for each support: however many they are.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Marks(Vec<bool>);
+
+impl Marks {
+    /// True where this support is marked.
+    pub(super) fn contains(&self, support: usize) -> bool {
+        self.0.get(support).is_some_and(|mark| *mark)
+    }
+}
+
 impl Walker<'_> {
     /// Supports that touch, or would between their ends, and cannot leave what they touch.
     ///
     /// A body that is held at three places of one plane turns about the normal of that plane alone: its points there, its edges there and those of the plate stay on it. One that is held
     /// at two places of an edge keeps this edge on the plane, and where it crosses edges of the plate they meet.
-    pub(super) fn flush(&self) -> Supports {
+    pub(super) fn flush(&self) -> Marks {
         let (world, pose) = (self.world, self.state.pose());
         let held = self.mode.held(world);
         if held.len() < 2 || world.body().rounding().is_none() {
-            return Supports::NONE;
+            return Marks::default();
         }
         let near = SKIMS_BESIDE * self.scales.length;
         let low = |i: &usize| !held.contains(*i) && self.heights[*i].abs() <= near;
         let mut seen: Vec<Vec3> = vec![];
-        let mut out = Supports::NONE;
+        let mut out = Marks(vec![false; world.count()]);
         for support in held.iter() {
             let normal = world.normal(support, pose);
             let like = |other: Vec3| (other - normal).norm() <= ONE_PLACE;
@@ -38,7 +49,7 @@ impl Walker<'_> {
                 like(world.normal(*i, pose))
                     && (flat || world.pair(*i).is_some_and(|pair| self.edge_is_held(pair, carriers, pose)))
             };
-            out = (0..world.count()).filter(low).filter(stays).fold(out, Supports::with);
+            (0..world.count()).filter(low).filter(stays).for_each(|i| out.0[i] = true);
         }
         out
     }

@@ -1,6 +1,7 @@
 //! A mode's motion on its way to the event that ends it, as a [`Course`].
 
 use super::events::Place;
+use super::flush::Marks;
 use super::motion::{Event, Motion, Stop};
 use super::walker::Walker;
 use crate::evaluated::{Quantity, evaluated, lost, watched};
@@ -31,7 +32,7 @@ pub(super) struct Gliding<'g, 'w, M: Motion> {
     /// What of the body stays where it is: heights of its points do not change.
     pub(super) fixed: Fixed,
     /// Supports that cannot leave what they touch meanwhile.
-    pub(super) flush: Supports,
+    pub(super) flush: Marks,
     /// Supports that have just left the plane without speed: their height leaves zero by its second or third derivative.
     pub(super) departing: Supports,
     pub(in crate::spatial) overturning: Option<Overturning>,

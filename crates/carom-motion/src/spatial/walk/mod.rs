@@ -3,6 +3,7 @@
 pub(in crate::spatial) mod blow;
 pub(in crate::spatial) mod closing;
 pub(in crate::spatial) mod events;
+pub(in crate::spatial) mod few;
 pub(in crate::spatial) mod flush;
 pub(in crate::spatial) mod forces;
 pub(in crate::spatial) mod glide;

@@ -36,6 +36,7 @@ impl Walker<'_> {
     }
 
     pub(super) fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
+        let asked = self.askable(asked);
         let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
         // What lies between the ends of an edge at rest adds nothing to what they can hold.
         let asked = match BodyMode::holding(self.world, asked, self.state.pose()) {

@@ -60,6 +60,7 @@ impl<'w> Walker<'w> {
         without: Option<usize>,
     ) -> Result<Option<End>, MotionError> {
         let asked = without.map_or(touching, |one| touching.difference(Supports::one(one)));
+        let asked = self.askable(asked);
         let mut carries = Carries::default();
         if !asked.is_empty() {
             self.settle_rough(asked)?;
@@ -87,7 +88,11 @@ impl<'w> Walker<'w> {
         if slipping.is_empty() {
             self.state = settled(self.world, self.mode, &self.state);
         }
-        self.departs(touching.difference(self.mode.held(self.world)));
+        if let Some(one) = self.drawn_in()? {
+            self.beside = self.beside.difference(Supports::one(one));
+            return self.hold_rough(touching.with(one), None);
+        }
+        self.departs(touching.union(self.beside).difference(self.mode.held(self.world)));
         let rests = matches!(self.mode, BodyMode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(self.world, touching) }))
     }

@@ -91,7 +91,11 @@ impl Walker<'_> {
             _ if strikes => self.meet(Supports::NONE),
             Some((support, speed)) => Err(MotionError::Slides { support, speed }),
             None if self.lies_flat(resting) => Ok(Some(End::Flat { touching: resting })),
-            None => self.hold(self.world.distinct(resting, self.state.pose()), None),
+            None if resting.is_overfull() => Err(self.too_many(resting)),
+            None => {
+                let few = self.spoken_for(self.world.distinct(resting, self.state.pose()), Supports::NONE);
+                self.hold(few, None)
+            }
         }
     }
 
@@ -107,20 +111,24 @@ impl Walker<'_> {
         let ends = |i: &usize| self.world.limits(*i) > 0;
         // Below a face that has ends the body may be beside it.
         let near = |i: &usize| !ends(i) || self.heights[*i] >= -BESIDE * self.scales.length;
-        let touching = (0..self.world.count()).filter(|i| self.heights[*i] < f64::INFINITY);
-        let touching = touching.filter(|i| touches(i) && near(i)).collect();
-        let held = self.mode.held(self.world).union(touching);
-        held.iter().filter(|i| !ends(i) || self.world.is_within(*i, &self.state)).collect()
+        let within = |i: &usize| !ends(i) || self.world.is_within(*i, &self.state);
+        let all = (0..self.world.count()).filter(|i| self.heights[*i] < f64::INFINITY);
+        let touching: Supports = all.filter(|i| touches(i) && near(i) && within(i)).collect();
+        touching.union(self.mode.held(self.world).those(|i| within(&i)))
     }
 
     /// The same, once at each place.
     pub(in crate::spatial) fn touching(&self) -> Result<Supports, MotionError> {
         let near = self.near();
         if near.is_overfull() {
-            let (time, count, most) = (self.time, near.len() + 1, Supports::TOGETHER);
-            return Err(MotionError::TooManyTouching { time, count, most });
+            Err(self.too_many(near))
+        } else {
+            Ok(self.world.distinct(near, self.state.pose()))
         }
-        Ok(self.world.distinct(near, self.state.pose()))
+    }
+
+    fn too_many(&self, touching: Supports) -> MotionError {
+        MotionError::TooManyTouching { time: self.time, count: touching.len() + 1, most: Supports::TOGETHER }
     }
 
     /// Supports leave where they touch, with all that touch at the same places: where two obstacles meet one edge crosses both.
@@ -138,20 +146,25 @@ impl Walker<'_> {
     /// What comes of supports that touch: an impact, if one of them comes down. `found` are those that were found to touch. They may be at the end of their face, and
     /// beyond it by rounding: then they leave.
     pub(in crate::spatial) fn meet(&mut self, found: Supports) -> Result<Option<End>, MotionError> {
-        let touching = self.touching()?;
+        let all = self.touching()?;
+        let mut touching = self.spoken_for(all, Supports::NONE);
+        let held = self.mode.held(self.world);
+        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let comes_down = |walker: &Self, i: usize| walker.rise_of(i) < -GRAZING_SPEED * size;
+        // Where none of those that speak for a face comes down, the one that was found to touch speaks for itself.
+        if !self.beside.is_empty() && !touching.difference(held).iter().any(|i| comes_down(self, i)) {
+            touching = self.spoken_for(all, found);
+        }
         if self.lies_flat(touching) {
             return Ok(Some(End::Flat { touching }));
         }
-        let held = self.mode.held(self.world);
         let free = touching.difference(held);
         if free.is_empty() {
             // What has come down is where something else is held.
             self.departing = self.near().union(found).difference(held);
             return Ok(None);
         }
-        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        let comes_down = |i: &usize| self.rise_of(*i) < -GRAZING_SPEED * size;
-        let striking: Supports = free.iter().filter(comes_down).collect();
+        let striking = free.those(|i| comes_down(self, i));
         // Of a hop that is down again at once rounding has taken the height.
         let hops = if self.lasted == 0.0 { LOST_HOP } else { 1.0 };
         let faint = FAINT_STRIKE * self.scales.speed * hops;
@@ -212,6 +225,7 @@ impl Walker<'_> {
     /// strikes.
     pub(super) fn leave(&mut self, support: usize) -> Result<Option<End>, MotionError> {
         let touching = self.touching()?.difference(Supports::one(support));
+        let touching = self.spoken_for(touching, Supports::NONE);
         let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world);
         let striking = touching.difference(held);
@@ -231,20 +245,26 @@ impl Walker<'_> {
 
     /// Those that the motion draws down.
     pub(super) fn sinking(&self, grazing: Supports) -> Result<Supports, MotionError> {
+        let rising = self.rising_faster(grazing)?;
+        Ok(rising.into_iter().filter(|(_, second)| *second <= 0.0).map(|(i, _)| i).collect())
+    }
+
+    /// How fast supports begin to rise faster [m/s²].
+    pub(super) fn rising_faster(&self, supports: Supports) -> Result<Vec<(usize, f64)>, MotionError> {
         if matches!(self.mode, Mode::Slides { .. }) {
             let (sliding, first) = self.sliding()?;
-            return Ok(self.drawn_down(&sliding, &first, grazing));
+            return Ok(self.seconds(&sliding, &first, supports));
         }
         let not_finite = MotionError::NotFinite { time: self.time };
         let stretch = Stretch::from(self.world, self.mode, &self.state, &self.heights).ok_or(not_finite)?;
         let first = stretch.first();
-        Ok(self.drawn_down(&Standing::of(self.world, stretch), &first, grazing))
+        Ok(self.seconds(&Standing::of(self.world, stretch), &first, supports))
     }
 
-    fn drawn_down<M: Motion>(&self, motion: &M, first: &M::Y, grazing: Supports) -> Supports {
+    fn seconds<M: Motion>(&self, motion: &M, first: &M::Y, supports: Supports) -> Vec<(usize, f64)> {
         let now = motion.posture(first, 0.0);
         let moving = motion.moving(&now);
-        grazing.iter().filter(|i| motion.gap(self.world, *i, &now, &moving).second <= 0.0).collect()
+        supports.iter().map(|i| (i, motion.gap(self.world, i, &now, &moving).second)).collect()
     }
 
     /// Resolves an impact, closes the series that it belongs to, and holds what rests.

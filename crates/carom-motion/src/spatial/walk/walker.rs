@@ -38,6 +38,8 @@ pub(super) struct Walker<'w> {
     pub(super) lasted: f64,
     /// Supports that have left the plane without speed at the start of the present stretch.
     pub(super) departing: Supports,
+    /// Corners that touch at present, and for which others of their faces speak.
+    pub(super) beside: Supports,
     /// The next step [s]; 0 where none is known.
     pub(in crate::spatial) length: f64,
     /// The latest impacts, the latest limits of series of them, and those of series of such: bounces on a corner, between the corners of an edge, and from edge
@@ -84,8 +86,8 @@ pub(super) struct Walker<'w> {
 /// Without friction impacts are plastic; each says how much friction it needs, and where no motion without sliding is consistent the run ends.
 ///
 /// With friction, more supports than determine their forces carry the body as equal springs do: where
-/// a body turns while it slides on four supports or more, its motion depends on that. At most sixteen supports touch at once; a
-/// point in a corner is one of each plane. A place that is a corner, an edge and a face at once counts once. A contact is between the ends of its face or its edges up to 1e-12 of the
+/// a body turns while it slides on four supports or more, its motion depends on that. At most sixteen supports are asked at once; of a face that touches with more than eight corners six
+/// speak for the others, and every other one that would sink in. A point in a corner is one of each plane. A place that is a corner, an edge and a face at once counts once. A contact is between the ends of its face or its edges up to 1e-12 of the
 /// reach. A slip below 1e-11 of the world's speed is rest. Closed series keep the friction of their impulses to first order in what is left of them. Where friction lets no motion go on
 /// (Painlevé's paradox) there is an impact without approach, or else, by name, no consistent outcome; so ends a run too whose impact the walk of
 /// [`carom_impact::spatial::staged`] gives up.
@@ -149,6 +151,7 @@ impl<'w> Walker<'w> {
             heights: vec![0.0; world.count()],
             lasted: 0.0,
             departing: Supports::NONE,
+            beside: Supports::NONE,
             length: 0.0,
             recent: Default::default(),
             turns: Recent::default(),
@@ -193,7 +196,9 @@ impl<'w> Walker<'w> {
             self.goes_to_the_limit()?;
             return Ok(Some(End::Stopped));
         }
-        Ok(match self.glide()? {
+        let stop = self.glide()?;
+        self.beside = self.flat_beside()?;
+        Ok(match stop {
             Stop::Event(Event::Touches(support)) => self.meet(Supports::one(support))?,
             Stop::Event(Event::Lets { support, .. }) => self.let_go(support)?,
             Stop::Event(Event::Slips(which)) => self.slip_starts(which)?,
@@ -254,7 +259,8 @@ impl<'w> Walker<'w> {
     /// faces carry from the start.
     fn gives(&mut self) -> Result<Option<End>, MotionError> {
         let held = self.mode.held(self.world);
-        let beside = self.flush().common(self.touching()?).those(|i| self.world.pair(i).is_some());
+        let flush = self.flush();
+        let beside = self.touching()?.those(|i| flush.contains(i) && self.world.pair(i).is_some());
         // What has been asked a moment ago has taken nothing over.
         let again = self.lasted <= ROUNDING_OF_TIME * self.scales.time;
         if beside.is_empty() || again {
@@ -270,7 +276,8 @@ impl<'w> Walker<'w> {
         if self.world.friction().is_none() {
             return self.hold(held, Some(support));
         }
-        let beside = self.flush().common(self.touching()?);
+        let flush = self.flush();
+        let beside = self.touching()?.those(|i| flush.contains(i));
         let end = self.hold(held, Some(support))?;
         if end.is_some() || beside.is_empty() {
             return Ok(end);

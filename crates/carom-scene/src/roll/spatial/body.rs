@@ -10,8 +10,8 @@ use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
 use crate::tolerance::FLAT_AS_WRITTEN;
 use crate::unit::Dimension;
-use carom_impact::spatial::{MOST_EXAMINED, RigidBody};
-use carom_motion::spatial::{Body, BodyProblem, Feature, Polyhedron, Stance, State};
+use carom_impact::spatial::RigidBody;
+use carom_motion::spatial::{Body, BodyProblem, Feature, Polyhedron, Stance, State, Supports};
 use carom_num::principal::principal;
 use carom_num::{Mat3, Rotation, Vec3};
 
@@ -241,9 +241,9 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
         let problem = Problem::new(ProblemKind::Unsupported, *word, message, Some(root.key_span(word)));
         root.push(problem.with_help(help));
     };
-    // Without friction every set of corners that keep is asked for, with friction only faces, edges and corners.
+    // Without friction every set of corners that keep is asked for, with friction few of a face that speak for all.
     let rough = root.has("friction");
-    let most = if rough { MOST_EXAMINED } else { MOST_POINTS as usize };
+    let most = if rough { Supports::TOGETHER } else { MOST_POINTS as usize };
     let wide = hull.faces().iter().filter(|face| face.corners.len() > most).count();
     if wide > 0 {
         let largest = hull.faces().iter().map(|face| face.corners.len()).max().unwrap_or_default();
@@ -251,7 +251,7 @@ fn within_limits(root: &Section<'_>, shape: &ThrownShape) -> bool {
         let (with, other) = if rough {
             ("with friction ", format!("without friction {MOST_POINTS}"))
         } else {
-            ("without friction ", format!("with friction {MOST_EXAMINED}"))
+            ("without friction ", format!("with friction {}", Supports::TOGETHER))
         };
         let message = format!(
             "{have} more than {most} corners, up to {largest}: all corners of a face can touch at once, and {with}at most {most} contacts are followed"
