@@ -26,6 +26,8 @@ pub(crate) const FLAT_FACE: f64 = 1e-6;
 pub(crate) const ON_ONE_LINE: f64 = 1e-6;
 /// Sizes of the part that a plate or wall across the drawing is wide where the drawing gives no width.
 pub(crate) const WIDE: f64 = 400.0;
+/// A plate reaches this far under the walls along its sides, in units of the part's size: where a part touches wall and plate at once, the plate has no edge of its own.
+pub(crate) const UNDER_WALLS: f64 = 1e-3;
 /// Corners of one face of a box are on its plane to this share of the box's diagonal: rounding.
 pub(crate) const BOX_HULL: f64 = 1e-12;
 /// Places of a surface that is drawn are of one face within this part of the body's reach.

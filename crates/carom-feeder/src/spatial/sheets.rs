@@ -1,7 +1,7 @@
 //! Plates and walls as the sheets that they are: for the part, and for pictures.
 
 use super::feeder::{Plate, Wall, WallForm};
-use crate::tolerance::WIDE;
+use crate::tolerance::{UNDER_WALLS, WIDE};
 use carom_motion::spatial::{Obstacle, Plane};
 use carom_num::elementary::sin_cos;
 use carom_num::{Rotation, Vec3};
@@ -81,14 +81,14 @@ impl Plate {
         Some(Axes { downhill, up: roll.apply(Vec3::new(left.x, left.y, 0.0)), across: roll.apply(Vec3::Z) })
     }
 
-    /// Its sheet, below its upper side. Its sides are round as its ends are, unless walls stand along them: to these its upper side reaches.
+    /// Its sheet, below its upper side. Its sides are round as its ends are, unless walls stand along them: its upper side reaches under these.
     fn sheet(&self, size: f64) -> Option<Sheet> {
         let Axes { up, across, .. } = self.axes()?;
         let radius = self.edge_radius;
         let ends = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0) - up * radius);
         let half = match self.width {
             None => 0.5 * WIDE * size,
-            Some(width) if self.side_walls > 0.0 => 0.5 * width,
+            Some(width) if self.side_walls > 0.0 => 0.5 * width + UNDER_WALLS * size,
             Some(width) => 0.5 * width - radius,
         };
         Sheet::between(ends, [across, up], half, radius)
