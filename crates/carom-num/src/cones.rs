@@ -79,16 +79,27 @@ fn upright(point: &[Vec3], free: &[Vec<Vec3>]) -> Option<Vec<Vec3>> {
     let mut member = point.to_vec();
     let enough = CONES_FLAT * size(point);
     if least(&member) <= enough && !free.is_empty() && free.len() < MOST && point.len() < MOST {
-        let mut slacks = Slacks::<MOST>::of(free.len());
-        for (i, p) in point.iter().enumerate() {
-            slacks.push(p.z, |j| free[j][i].z);
-        }
-        let (x, _) = slacks.largest_smallest(size(point))?;
-        for (x, direction) in x.iter().zip(free) {
-            member.iter_mut().zip(direction).for_each(|(p, d)| *p += *d * *x);
-        }
+        member = match point.len().max(free.len()) {
+            0..=7 => deepest::<8>(point, free)?,
+            8..=15 => deepest::<16>(point, free)?,
+            _ => deepest::<MOST>(point, free)?,
+        };
     }
     (least(&member) > enough).then_some(member)
+}
+
+/// The member whose least third component is largest.
+fn deepest<const M: usize>(point: &[Vec3], free: &[Vec<Vec3>]) -> Option<Vec<Vec3>> {
+    let mut slacks = Slacks::<M>::of(free.len());
+    for (i, p) in point.iter().enumerate() {
+        slacks.push(p.z, |j| free[j][i].z);
+    }
+    let (x, _) = slacks.largest_smallest(size(point))?;
+    let mut member = point.to_vec();
+    for (x, direction) in x.iter().zip(free) {
+        member.iter_mut().zip(direction).for_each(|(p, d)| *p += *d * *x);
+    }
+    Some(member)
 }
 
 /// Members whose third components add up to the same, which are those of the whole family but for their size.

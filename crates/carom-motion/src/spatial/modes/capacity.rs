@@ -64,7 +64,7 @@ pub(in crate::spatial) fn left_of(body: &Body, bearings: &[Bearing]) -> f64 {
         scaled(b, Vec3::new(x, y, z))
     };
     let forces: Vec<Vec3> = bearings.iter().enumerate().map(of_one).collect();
-    let all = |free: &[f64; MOST]| {
+    let all = |free: &Vec<f64>| {
         let mut next = free.iter();
         let mut one = || next.next().copied().unwrap_or(0.0);
         let part = |b: &Bearing| {
@@ -80,16 +80,24 @@ pub(in crate::spatial) fn left_of(body: &Body, bearings: &[Bearing]) -> f64 {
 }
 
 /// Forces on the supports that balance each other: along the axes of each that sticks, and along the force of each that slips.
-pub(in crate::spatial) fn balanced(bearings: &[Bearing]) -> Vec<[f64; MOST]> {
-    let mut basis = Basis::<MOST>::NONE;
+pub(in crate::spatial) fn balanced(bearings: &[Bearing]) -> Vec<Vec<f64>> {
     let reach = bearings.iter().map(|b| b.arm.norm()).fold(0.0, f64::max);
     let pushes: Vec<(Vec3, Vec3)> =
         bearings.iter().flat_map(|b| b.pushes().map(|(force, _)| (b.arm, force))).collect();
+    match pushes.len() {
+        0..=12 => balanced_sized::<12>(&pushes, reach),
+        13..=24 => balanced_sized::<24>(&pushes, reach),
+        _ => balanced_sized::<MOST>(&pushes, reach),
+    }
+}
+
+fn balanced_sized<const M: usize>(pushes: &[(Vec3, Vec3)], reach: f64) -> Vec<Vec<f64>> {
+    let mut basis = Basis::<M>::NONE;
     let rows: [fn(Vec3) -> f64; 3] = [|v| v.x, |v| v.y, |v| v.z];
     for of in rows {
         let row = |moment: bool| {
-            let mut out = [0.0; MOST];
-            for (out, (arm, force)) in out.iter_mut().zip(&pushes) {
+            let mut out = [0.0; M];
+            for (out, (arm, force)) in out.iter_mut().zip(pushes) {
                 *out = of(if moment { arm.cross(*force) / reach } else { *force });
             }
             out
@@ -101,5 +109,5 @@ pub(in crate::spatial) fn balanced(bearings: &[Bearing]) -> Vec<[f64; MOST]> {
     for one in 0..pushes.len() {
         basis.take(std::array::from_fn(|k| if k == one { 1.0 } else { 0.0 }), FREE_RANK);
     }
-    basis.axes()[holding..].to_vec()
+    basis.axes()[holding..].iter().map(|axis| axis[..pushes.len()].to_vec()).collect()
 }
