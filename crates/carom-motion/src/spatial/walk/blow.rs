@@ -124,7 +124,7 @@ impl Walker<'_> {
             .friction()
             .map_or_else(Default::default, crate::spatial::geometry::friction::Friction::law);
         let refused = |error| MotionError::Impact { time: self.time, error };
-        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let size = self.top_speed();
         let held = self.mode.held(self.world);
         let mut set = frictional_contacts::<N>(self.world, &self.state, touching, held).map_err(refused)?;
         let came = self.come_down(touching);

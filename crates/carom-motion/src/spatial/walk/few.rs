@@ -63,9 +63,8 @@ impl Walker<'_> {
         if self.world.body().supports().len() <= MANY {
             return Ok(Supports::NONE);
         }
-        let (flush, carrying) = (self.flush(), self.carrying());
-        let on_face = |i: usize| self.world.pair(i).is_none() && !carrying.contains(i);
-        Ok(self.touching()?.those(|i| on_face(i) && flush.contains(i)))
+        let carrying = self.carrying();
+        Ok(self.lies_flush()?.those(|i| self.world.pair(i).is_none() && !carrying.contains(i)))
     }
 
     /// The one of the corners beside those that were asked that the mode draws down fastest, if it does any.
@@ -125,9 +124,9 @@ impl Walker<'_> {
         }
         let (world, pose) = (self.world, self.state.pose());
         let after = pushed(&self.state, world, &way.pushes);
-        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
+        let least = -SUPPORT_STAYS * self.top_speed();
         let rise = |i: usize| world.normal(i, pose).dot(after.velocity_of(world.arm(i, pose)));
-        let rises = beside.iter().map(|i| (i, rise(i))).filter(|(_, rise)| *rise < -SUPPORT_STAYS * size);
+        let rises = beside.iter().map(|i| (i, rise(i))).filter(|(_, rise)| *rise < least);
         rises.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     }
 }

@@ -1,6 +1,7 @@
 //! Supports that stay on what they touch for as long as others are held: nothing has to be searched for there.
 
 use super::walker::Walker;
+use crate::MotionError;
 use crate::spatial::geometry::crossing::Crossing;
 use crate::spatial::geometry::pair::Pair;
 use crate::spatial::geometry::state::Pose;
@@ -52,6 +53,12 @@ impl Walker<'_> {
             (0..world.count()).filter(low).filter(stays).for_each(|i| out.0[i] = true);
         }
         out
+    }
+
+    /// Those of them that touch.
+    pub(super) fn lies_flush(&self) -> Result<Supports, MotionError> {
+        let flush = self.flush();
+        Ok(self.touching()?.those(|i| flush.contains(i)))
     }
 
     /// True where two of these supports hold the body's edge of a crossing at different places.

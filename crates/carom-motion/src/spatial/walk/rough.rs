@@ -25,8 +25,7 @@ const SWEPT: f64 = 4.0;
 impl<'w> Walker<'w> {
     /// Speeds below this are rest.
     pub(in crate::spatial) fn still(&self) -> f64 {
-        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        RESTING_SLIP * size.max(self.scales.speed)
+        RESTING_SLIP * self.top_speed().max(self.scales.speed)
     }
 
     /// The slip of a support, exactly zero where it rests.

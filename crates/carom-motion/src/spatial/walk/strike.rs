@@ -35,6 +35,17 @@ impl Walker<'_> {
         self.world.normal(support, self.state.pose()).dot(self.velocity_of(support))
     }
 
+    /// No place of the body is faster [m/s].
+    pub(super) fn top_speed(&self) -> f64 {
+        self.state.velocity.norm() + self.state.spin.norm() * self.scales.length
+    }
+
+    /// Those of these supports that come down, and do not graze.
+    fn coming_down(&self, of: Supports) -> Supports {
+        let least = -GRAZING_SPEED * self.top_speed();
+        of.those(|i| self.rise_of(i) < least)
+    }
+
     /// Measures all heights, over each plane from the lowest support.
     pub(super) fn measure_heights(&mut self) {
         let (world, state) = (self.world, self.state);
@@ -55,7 +66,7 @@ impl Walker<'_> {
     /// Looks at what touches at the start.
     pub(super) fn begin(&mut self) -> Result<Option<End>, MotionError> {
         let (length, count) = (self.scales.length, self.world.count());
-        let speed = self.scales.speed.max(self.state.velocity.norm() + self.state.spin.norm() * length);
+        let speed = self.scales.speed.max(self.top_speed());
         let mut resting = Supports::NONE;
         let (mut strikes, mut slides) = (false, None);
         if let Some((obstacle, depth)) = self.world.overlap(self.state.pose(), TOUCHES_AT_START * length) {
@@ -149,10 +160,8 @@ impl Walker<'_> {
         let all = self.touching()?;
         let mut touching = self.spoken_for(all, Supports::NONE);
         let held = self.mode.held(self.world);
-        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
-        let comes_down = |walker: &Self, i: usize| walker.rise_of(i) < -GRAZING_SPEED * size;
         // Where none of those that speak for a face comes down, the one that was found to touch speaks for itself.
-        if !self.beside.is_empty() && !touching.difference(held).iter().any(|i| comes_down(self, i)) {
+        if !self.beside.is_empty() && self.coming_down(touching.difference(held)).is_empty() {
             touching = self.spoken_for(all, found);
         }
         if self.lies_flat(touching) {
@@ -164,7 +173,7 @@ impl Walker<'_> {
             self.departing = self.near().union(found).difference(held);
             return Ok(None);
         }
-        let striking = free.those(|i| comes_down(self, i));
+        let striking = self.coming_down(free);
         // Of a hop that is down again at once rounding has taken the height.
         let hops = if self.lasted == 0.0 { LOST_HOP } else { 1.0 };
         let faint = FAINT_STRIKE * self.scales.speed * hops;
@@ -179,7 +188,7 @@ impl Walker<'_> {
             self.departs(free);
             return Ok(None);
         }
-        self.graze(grazing, found, size)
+        self.graze(grazing, found)
     }
 
     /// Among obstacles with ends, whose gaps are measured, several that all but rest come to rest together: one after the other they would strike without end.
@@ -202,7 +211,7 @@ impl Walker<'_> {
 
     /// Supports touch the plane and do not come down on it. Those that it does not draw down part from it again. If the others rest it is asked whether they are
     /// held; if one moves along the plane it comes down the next instant, which is an impact.
-    fn graze(&mut self, grazing: Supports, found: Supports, size: f64) -> Result<Option<End>, MotionError> {
+    fn graze(&mut self, grazing: Supports, found: Supports) -> Result<Option<End>, MotionError> {
         let sinking = self.sinking(grazing)?;
         let held = self.mode.held(self.world);
         if sinking.is_empty() {
@@ -214,7 +223,7 @@ impl Walker<'_> {
             Ok(None)
         } else if self.world.friction().is_some() {
             self.hold(held.union(grazing), None)
-        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST_AT_START * size) {
+        } else if sinking.iter().any(|i| self.velocity_of(i).norm() > AT_REST_AT_START * self.top_speed()) {
             self.strike(held.union(grazing), sinking)
         } else {
             self.hold(held.union(grazing), None)
@@ -226,11 +235,8 @@ impl Walker<'_> {
     pub(super) fn leave(&mut self, support: usize) -> Result<Option<End>, MotionError> {
         let touching = self.touching()?.difference(Supports::one(support));
         let touching = self.spoken_for(touching, Supports::NONE);
-        let size = self.state.velocity.norm() + self.state.spin.norm() * self.scales.length;
         let held = self.mode.held(self.world);
-        let striking = touching.difference(held);
-        let striking: Supports =
-            striking.iter().filter(|i| self.rise_of(*i) < -GRAZING_SPEED * size).collect();
+        let striking = self.coming_down(touching.difference(held));
         let faint = FAINT_STRIKE * self.scales.speed;
         if !striking.is_empty() && !self.rest_together(touching, faint) {
             return self.strike(touching, striking);

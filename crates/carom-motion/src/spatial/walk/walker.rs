@@ -259,8 +259,7 @@ impl<'w> Walker<'w> {
     /// faces carry from the start.
     fn gives(&mut self) -> Result<Option<End>, MotionError> {
         let held = self.mode.held(self.world);
-        let flush = self.flush();
-        let beside = self.touching()?.those(|i| flush.contains(i) && self.world.pair(i).is_some());
+        let beside = self.lies_flush()?.those(|i| self.world.pair(i).is_some());
         // What has been asked a moment ago has taken nothing over.
         let again = self.lasted <= ROUNDING_OF_TIME * self.scales.time;
         if beside.is_empty() || again {
@@ -276,8 +275,7 @@ impl<'w> Walker<'w> {
         if self.world.friction().is_none() {
             return self.hold(held, Some(support));
         }
-        let flush = self.flush();
-        let beside = self.touching()?.those(|i| flush.contains(i));
+        let beside = self.lies_flush()?;
         let end = self.hold(held, Some(support))?;
         if end.is_some() || beside.is_empty() {
             return Ok(end);
