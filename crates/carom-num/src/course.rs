@@ -91,7 +91,7 @@ pub trait Course {
         explicit_end(self, step, length)
     }
 
-    /// Goes to the end of a step in which nothing happens; the state to go on from.
+    /// Goes to the end of a step in which nothing happens; the state to go on from, with what has drifted taken back.
     fn passed(&mut self, step: Step<Self::Y>) -> Self::Y {
         step.end
     }
@@ -196,7 +196,8 @@ pub fn follow<C: Course>(
     first: f64,
     most_steps: usize,
 ) -> Result<Followed<C>, Lost> {
-    walk(&mut Integration { course, y, rate, length: first, clock: 0.0 }, most_steps)
+    let pace = course.pace(&y, &rate);
+    walk(&mut Integration { course, y, rate, length: first, pace }, most_steps)
 }
 
 /// A course from step to step.
@@ -206,8 +207,8 @@ struct Integration<'c, C: Course> {
     rate: C::Y,
     /// Of the next step.
     length: f64,
-    /// Where the last step started.
-    clock: f64,
+    /// Of the last step.
+    pace: Pace<C::Y>,
 }
 
 impl<C: Course> Stepper for Integration<'_, C> {
@@ -220,23 +221,26 @@ impl<C: Course> Stepper for Integration<'_, C> {
     }
 
     fn step(&mut self) -> Result<Step<C::Y>, Lost> {
-        let pace = self.course.pace(&self.y, &self.rate);
-        let (step, next) = self.course.step((&self.y, &self.rate), self.length, &pace)?;
-        (self.length, self.clock) = (next, pace.clock);
+        self.pace = self.course.pace(&self.y, &self.rate);
+        let (step, next) = self.course.step((&self.y, &self.rate), self.length, &self.pace)?;
+        self.length = next;
         Ok(step)
     }
 
     fn event(&mut self, step: &mut Step<C::Y>) -> Result<Option<Reached<C::Y, C::Event>>, Lost> {
         let found = self.course.first_event(step)?;
         Ok(found.map(|found| {
-            let (length, y) = reach(self.course, step, &found, self.clock);
+            let (length, y) = reach(self.course, step, &found, self.pace.clock);
             Reached { event: found.event, length, y }
         }))
     }
 
     fn passed(&mut self, step: Step<C::Y>) {
-        self.rate = step.end_rate;
+        let (end, rate) = (step.end, step.end_rate);
         self.y = self.course.passed(step);
+        // Drift that was taken back and is more than a step may err by takes its derivative along: the next step would think that it bends where it begins.
+        let moved = |i: usize| (self.y.at(i) - end.at(i)).abs() > self.pace.tolerance.at(i);
+        self.rate = if (0..C::Y::COUNT).any(moved) { self.course.rate(&self.y) } else { rate };
     }
 }
 

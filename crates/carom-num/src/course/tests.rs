@@ -116,6 +116,46 @@ fn an_event_near_rounding_is_not_taken_for_the_zero_where_it_began() {
     }
 }
 
+/// x′ = 10⁶ u and u′ = 10⁻³, but whoever goes on from a step takes u back to 0.
+struct Drifting;
+
+impl Course for Drifting {
+    type Y = [f64; 2];
+    type Event = ();
+    type End = ();
+
+    fn rate(&mut self, y: &[f64; 2]) -> [f64; 2] {
+        [1e6 * y[1], 1e-3]
+    }
+
+    fn first_event(&mut self, _: &Step<[f64; 2]>) -> Result<Option<Found<()>>, Lost> {
+        Ok(None)
+    }
+
+    fn value(&mut self, (): &(), _: f64, _: &[f64; 2]) -> f64 {
+        1.0
+    }
+
+    fn end(&mut self, y: &[f64; 2], _: &[f64; 2]) -> Option<()> {
+        (y[0] > 100.0).then_some(())
+    }
+
+    fn pace(&self, _: &[f64; 2], _: &[f64; 2]) -> Pace<[f64; 2]> {
+        Pace { longest: 0.1, ..Pace::within([1e-9; 2]) }
+    }
+
+    fn passed(&mut self, step: Step<[f64; 2]>) -> [f64; 2] {
+        [step.end[0], 0.0]
+    }
+}
+
+/// Steps of 0.1 go 5 each. With the derivative of what was taken back the next step would be refused until it is a billion times shorter.
+#[test]
+fn what_has_drifted_is_taken_back_with_its_derivative() {
+    let end = follow(&mut Drifting, ([0.0; 2], [0.0, 1e-3]), 0.1, 25);
+    assert!(matches!(end, Ok(Stop::End(()))));
+}
+
 #[test]
 fn budgets_end_by_name() {
     let none = || Oscillator::watching(|_: &[f64; 3]| [1.0]);
