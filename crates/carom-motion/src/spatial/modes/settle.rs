@@ -1,9 +1,10 @@
 //! What supports that are kept make of a state: they stand on the plane, and the body turns about their line or not at all.
 
 use super::mode::{Mode, normal_of};
-use crate::spatial::geometry::state::{Pose, State};
+use crate::spatial::geometry::state::{Pose, State, measured};
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::world::World;
+use crate::spatial::modes::grip::{Bearing, Grip};
 use crate::tolerance::MOST_SETTLING_TURN;
 use carom_num::{Rotation, Vec3};
 
@@ -50,6 +51,53 @@ pub(in crate::spatial) fn settled(world: &World, mode: Mode, state: &State) -> S
     let arm = world.arm(foot, Pose { attitude, ..state.pose() });
     let centre = plane.onto(state.place(arm)) - attitude.apply(arm);
     State { centre, attitude, velocity: attitude.apply(arm.cross(spin)), spin }
+}
+
+/// A small displacement: of the mass centre, world axes \[m\], and a turn, body axes \[rad\].
+#[derive(Clone, Copy, Debug)]
+pub(in crate::spatial) struct Displacement {
+    moved: Vec3,
+    turn: Vec3,
+}
+
+impl Displacement {
+    /// The least one, by the body's own mass, that puts supports where they touch.
+    ///
+    /// Heights of hops are counted on from touch to touch, and the place of the body does not follow the last digits of that.
+    pub(in crate::spatial) fn putting_down(world: &World, held: Supports, state: &State) -> Self {
+        let pose = state.pose();
+        let bearing = |support: usize| {
+            let axes = world.axes(support, pose).map(|axis| pose.attitude.undo(axis));
+            let drive = axes[2] * measured(world, state, None, support);
+            Bearing { arm: world.arm(support, pose), axes, drive, ..Bearing::default() }
+        };
+        let bearings: Vec<Bearing> = held.iter().map(bearing).collect();
+        let (moved, turn) = Grip { body: world.body(), bearings: &bearings }.taken_back();
+        Self { moved: pose.attitude.apply(moved), turn }
+    }
+
+    /// The one that has led from a pose to another one.
+    pub(in crate::spatial) fn between(before: Pose, after: Pose) -> Self {
+        let [w, x, y, z] = before.attitude.inverse().after(after.attitude).to_array();
+        Self { moved: after.centre - before.centre, turn: Vec3::new(x, y, z) * 2.0_f64.copysign(w) }
+    }
+
+    /// No place of the body goes farther \[m\].
+    pub(in crate::spatial) fn most(&self, world: &World) -> f64 {
+        self.moved.norm().max(self.turn.norm() * world.body().reach())
+    }
+
+    /// How far a place of the body goes, which is so far from the mass centre in its axes; world axes \[m\].
+    pub(in crate::spatial) fn of(&self, arm: Vec3, attitude: Rotation) -> Vec3 {
+        self.moved + attitude.apply(self.turn.cross(arm))
+    }
+
+    /// Where it brings a body.
+    pub(in crate::spatial) fn from(&self, state: &State) -> State {
+        let turned = state.attitude.after(Rotation::by(self.turn));
+        let attitude = Rotation::of(turned.to_array()).unwrap_or(turned);
+        State { centre: state.centre + self.moved, attitude, ..*state }
+    }
 }
 
 /// The spin of a body once a whole edge holds it too: the impulses act on that edge, so that the angular momentum about it stays.

@@ -7,7 +7,7 @@ use crate::spatial::geometry::pair::Pair;
 use crate::spatial::geometry::state::Pose;
 use crate::spatial::geometry::supports::Supports;
 use crate::spatial::geometry::surface::Edge;
-use crate::tolerance::{LEAST_SPAN, ON_EDGE, ONE_PLACE, SKIMS_BESIDE};
+use crate::tolerance::{BESIDE, LEAST_SPAN, ON_EDGE, ONE_PLACE, SKIMS_BESIDE};
 use carom_num::Vec3;
 
 /// A mark for each support: however many they are.
@@ -53,6 +53,20 @@ impl Walker<'_> {
             (0..world.count()).filter(low).filter(stays).for_each(|i| out.0[i] = true);
         }
         out
+    }
+
+    /// What is flush with what is held touches: where what is held has drifted it would be taken for what is beside its face.
+    pub(super) fn note_flush(&mut self) {
+        let [near, beside] = [SKIMS_BESIDE, BESIDE].map(|share| share * self.scales.length);
+        let sunk = |height: &f64| (-near..-beside).contains(height);
+        if self.heights.iter().any(sunk) {
+            let flush = self.flush();
+            for (support, height) in self.heights.iter_mut().enumerate() {
+                if sunk(height) && flush.contains(support) {
+                    *height = 0.0;
+                }
+            }
+        }
     }
 
     /// Those of them that touch.

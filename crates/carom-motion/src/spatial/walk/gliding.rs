@@ -108,6 +108,20 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
         pair.map_or(0.0, |pair| self.counted[pair])
     }
 
+    /// Something may come down before a slip has stopped, which is so long: steps tell.
+    fn touches_within(&self, rest: f64, y: &M::Y) -> bool {
+        let (world, at) = (self.walker.world, self.motion.posture(y, self.elapsed));
+        let (moving, low) = (self.motion.moving(&at), TOUCHES_AT_START * self.walker.scales.length);
+        let comes = |i: &usize| {
+            let gap = self.motion.gap(world, *i, &at, &moving);
+            let height = gap.value + self.counted(*i);
+            height > 0.0 && height + gap.rate * rest < -low
+        };
+        let near = |i: &usize| self.walker.heights[*i] < f64::INFINITY;
+        let free = (0..world.count()).filter(|i| !self.held.contains(*i) && !self.flush.contains(*i));
+        free.filter(near).any(|i| comes(&i))
+    }
+
     /// The stretch ends here, so long after its start.
     pub(super) fn arrive(&mut self, end: &M::Y, elapsed: f64) {
         self.walker.state = self.motion.state(end, elapsed);
@@ -135,6 +149,7 @@ impl<'g, 'w, M: Motion> Gliding<'g, 'w, M> {
                 counted
             };
         }
+        self.walker.note_flush();
     }
 
     /// Samples of a step up to a length, and the states that are asked for within it, for observers that want them.
@@ -215,6 +230,7 @@ impl<M: Motion> Course for Gliding<'_, '_, M> {
         }
         if self.elapsed > 0.0
             && let Some((rest, end)) = self.motion.stops(y, rate)
+            && !self.touches_within(rest, y)
         {
             self.arrive(&end, self.elapsed + rest);
             return Some(Stop::Event(Event::Stops));

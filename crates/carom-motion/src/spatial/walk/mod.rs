@@ -11,6 +11,7 @@ pub(in crate::spatial) mod gliding;
 pub(in crate::spatial) mod march;
 pub(in crate::spatial) mod motion;
 pub(in crate::spatial) mod onset;
+pub(in crate::spatial) mod put_down;
 pub(in crate::spatial) mod question;
 pub(in crate::spatial) mod rough;
 pub(in crate::spatial) mod series;

@@ -6,21 +6,18 @@ use super::sliding::carriers::Carried;
 use super::sliding::{Sliding, Vector};
 use super::walker::{Walker, without_way};
 use crate::MotionError;
-use crate::spatial::geometry::state::{State, measured};
+use crate::spatial::geometry::state::State;
 use crate::spatial::geometry::supports::Supports;
-use crate::spatial::modes::grip::{Bearing, Grip, MOST_BEARING};
+use crate::spatial::modes::grip::MOST_BEARING;
 use crate::spatial::modes::mode::{Mode as BodyMode, Vector as Standing, spanned};
 use crate::spatial::modes::settle::settled;
 use crate::spatial::modes::stretch::Stretch;
 use crate::spatial::record::run::{Clock, End};
 use crate::spatial::terms::Choice;
-use crate::tolerance::{CONES_LEFT_AT_ONCE, MOST_LAID, RESTING_SLIP, SLIPS_AHEAD, WEIGHTLESS};
+use crate::tolerance::{CONES_LEFT_AT_ONCE, RESTING_SLIP, SLIPS_AHEAD, WEIGHTLESS};
 use carom_impact::spatial::Conclusion;
+use carom_num::Vec3;
 use carom_num::ode8::step_plain;
-use carom_num::{Rotation, Vec3};
-
-/// At the limit of a series the impulses that end it stop every slip that is below this many times the largest speed along the normal.
-const SWEPT: f64 = 4.0;
 
 impl<'w> Walker<'w> {
     /// Speeds below this are rest.
@@ -43,7 +40,7 @@ impl<'w> Walker<'w> {
         self.sliding_on(&Carried { sticking, slipping, leads: &self.leads })
     }
 
-    fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding<'w>, Vector), MotionError> {
+    pub(super) fn sliding_on(&self, carried: &Carried<'_>) -> Result<(Sliding<'w>, Vector), MotionError> {
         let sliding = Sliding::from(self.world, carried, &self.state, &self.heights);
         sliding.ok_or(MotionError::TooManyTouching {
             time: self.time,
@@ -94,103 +91,6 @@ impl<'w> Walker<'w> {
         self.departs(touching.union(self.beside).difference(self.mode.held(self.world)));
         let rests = matches!(self.mode, BodyMode::Rest { .. });
         Ok(rests.then(|| End::AtRest { held: spanned(self.world, touching) }))
-    }
-
-    /// Takes back what rounding has left of heights and of velocities along the normal.
-    fn settle_rough(&mut self, asked: Supports) -> Result<(), MotionError> {
-        let (sticking, slipping): (Vec<usize>, Vec<usize>) =
-            asked.iter().partition(|i| self.slip_of(*i) == Vec3::ZERO);
-        let apart = !self.world.is_of_one_plane(asked);
-        if slipping.is_empty() && !apart {
-            self.state =
-                settled(self.world, BodyMode::holding(self.world, asked, self.state.pose()), &self.state);
-            return Ok(());
-        }
-        // On one plane one that sticks says of the others that they only turn about it.
-        let most = if apart { sticking.len() } else { 1 };
-        let carried = Carried {
-            sticking: sticking.into_iter().take(most).collect(),
-            slipping: slipping.into_iter().collect(),
-            leads: &[],
-        };
-        if !apart {
-            self.state = self.without_rises(asked);
-        }
-        let (sliding, first) = self.sliding_on(&carried)?;
-        self.state = sliding.state(&first, 0.0);
-        Ok(())
-    }
-
-    /// The state in which none of these supports moves along the normal, by the least change of the motion: it takes energy, if anything.
-    fn without_rises(&self, asked: Supports) -> State {
-        let state = &self.state;
-        let bearings: Vec<Bearing> = asked.iter().map(|i| self.bearing(i)).collect();
-        let (velocity, spin) = Grip { body: self.world.body(), bearings: &bearings }.taken_back();
-        State { velocity: state.velocity + state.attitude.apply(velocity), spin: state.spin + spin, ..*state }
-    }
-
-    /// The state in which all of these supports touch, by the least motion; `None` where that is more than what a closed series leaves.
-    pub(super) fn laid(&self, kept: Supports) -> Option<State> {
-        let (world, state) = (self.world, &self.state);
-        let gap = |i: usize| self.world.normal(i, state.pose()) * measured(world, state, None, i);
-        let bearing = |i: usize| Bearing { drive: state.attitude.undo(gap(i)), ..self.bearing(i) };
-        let bearings: Vec<Bearing> = kept.iter().map(bearing).collect();
-        let (moved, turn) = Grip { body: world.body(), bearings: &bearings }.taken_back();
-        if moved.norm().max(turn.norm() * world.body().reach()) > MOST_LAID * self.scales.length {
-            return None;
-        }
-        let attitude = state.attitude.after(Rotation::by(turn));
-        Some(State {
-            centre: state.centre + state.attitude.apply(moved),
-            attitude: Rotation::of(attitude.to_array()).unwrap_or(attitude),
-            ..*state
-        })
-    }
-
-    /// A support without friction that has to take its velocity away.
-    fn bearing(&self, support: usize) -> Bearing {
-        let (pose, attitude) = (self.state.pose(), self.state.attitude);
-        Bearing {
-            arm: self.world.arm(support, pose),
-            axes: self.world.axes(support, pose).map(|axis| attitude.undo(axis)),
-            drive: attitude.undo(self.velocity_of(support)),
-            ..Bearing::default()
-        }
-    }
-
-    /// The state in which none of these supports moves along the normal, where a series of impacts with friction comes to its limit.
-    ///
-    /// The impulses of the series are those of the weight meanwhile less what stops the support that has just risen. Since the stretch that follows starts at the
-    /// last impact and not at the limit, it brings those of the weight; here the others are taken back, with their share of friction. Where nothing is `left` of the series
-    /// no weight is still to come: what rises is stopped without friction, which would drive the body on.
-    pub(super) fn landed(&self, kept: Supports, left: f64) -> Option<State> {
-        let (body, state, friction) = (self.world.body(), &self.state, self.world.friction()?);
-        if kept.len() > MOST_BEARING {
-            return None;
-        }
-        let rises = kept.iter().map(|i| self.rise_of(i).abs()).fold(0.0, f64::max);
-        let bearing = |i: usize| {
-            let slip = self.slip_of(i);
-            // A slip that is no faster than the bounces has been stopped by the impulses of the bounces still to come.
-            let sticks = slip.norm() <= SWEPT * rises;
-            Bearing {
-                friction: if left > 0.0 { friction.coefficient(i) } else { 0.0 },
-                sticks,
-                toward: if sticks {
-                    Vec3::ZERO
-                } else {
-                    state.attitude.undo(slip.unit().unwrap_or(Vec3::ZERO))
-                },
-                ..self.bearing(i)
-            }
-        };
-        let bearings: Vec<Bearing> = kept.iter().map(bearing).collect();
-        let reactions = Grip { body, bearings: &bearings }.reactions()?;
-        Some(State {
-            velocity: state.velocity + state.attitude.apply(reactions.force) / body.mass(),
-            spin: state.spin + body.mobility() * reactions.moment,
-            ..*state
-        })
     }
 
     /// A support that stuck has come to the edge of its cone: it slips on from rest, against the friction that it has taken.
