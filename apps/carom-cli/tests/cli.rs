@@ -34,6 +34,7 @@ says! {
     run_zigzag: ["run", "zigzag.toml"], "";
     run_solid: ["run", "solid.toml"], "";
     run_solid_bolt: ["run", "solid_bolt.toml"], "";
+    run_solid_groove: ["run", "solid_groove.toml"], "";
     run_solid_beside_a_rod: ["run", "solid.toml", "case_2.toml"], "";
     run_feed: ["run", "feed.toml"], "";
     feed_without_parts: ["feed", "case_1.toml", "--parts", "0"], "";
@@ -45,6 +46,7 @@ says! {
     draw_designer: ["draw", "designer.toml"], "";
     draw_as_json: ["draw", "case_1.toml", "--format", "json"], "";
     draw_solid: ["draw", "solid.toml"], "";
+    draw_solid_groove: ["draw", "solid_groove.toml"], "";
     draw_solid_for_simulators: ["draw", "solid_bolt.toml", "--simulators"], "";
     draw_solid_as_json: ["draw", "solid.toml", "--format", "json"], "";
     faces_of_a_bracket: ["faces", "bracket.toml", "--throws", "256", "--height", "50 ± 10 mm", "--spin", "5 rad/s"], "";

@@ -4,7 +4,7 @@ use crate::draw;
 use crate::feeders::{faulty, ready};
 use crate::tally::Tally;
 use carom_feeder::Stop;
-use carom_feeder::spatial::{Feeder, Part, Plate, Run, Start, Wall, WallForm};
+use carom_feeder::spatial::{CrossSection, Feeder, Part, Plate, Run, Start, Wall, WallForm};
 use carom_motion::spatial::{Options, Polyhedron, State, World};
 use carom_num::segment::distance;
 use carom_num::{Vec2, Vec3};
@@ -239,7 +239,25 @@ fn pin(rng: &mut Pcg64, i: usize, size: f64, edge: Vec2) -> Wall {
     }
 }
 
-/// Two to four plates that zigzag, with a roll, ends and side walls now and then, and now and then a groove.
+/// Now and then all plates are sheets with round edges; now and then some are V grooves.
+fn rounded_or_bent(rng: &mut Pcg64, plates: &mut [Plate], size: f64) {
+    if rng.random_bool(0.2) {
+        for plate in &mut *plates {
+            let short = plate.width.unwrap_or(size).min((plate.edge - plate.uphill).norm()).min(size);
+            plate.edge_radius = short * draw::across(rng, 0.01, 0.4);
+        }
+    }
+    if rng.random_bool(0.2) {
+        for plate in plates {
+            if rng.random_bool(0.5) {
+                plate.cross_section = CrossSection::Groove { angle: draw::between(rng, 0.4, 2.8) };
+                plate.edge_radius *= 0.5;
+            }
+        }
+    }
+}
+
+/// Two to four plates that zigzag, with a roll, ends and side walls now and then, now and then V grooves, and now and then a groove about all.
 fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
     let part = solid(rng)?;
     let size = part.body.reach();
@@ -259,10 +277,10 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
             width,
             roll: if rng.random_bool(0.5) { draw::between(rng, -0.2, 0.2) } else { 0.0 },
             edge_radius: 0.0,
-            side_walls: if width.is_some() && rng.random_bool(0.5) {
-                size * draw::between(rng, 0.2, 2.0)
+            cross_section: if width.is_some() && rng.random_bool(0.5) {
+                CrossSection::Walled { height: size * draw::between(rng, 0.2, 2.0) }
             } else {
-                0.0
+                CrossSection::Flat
             },
             friction: draw::friction(rng),
             restitution: draw::restitution(rng).min(0.95),
@@ -294,11 +312,8 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
         let edge = plates[0].edge;
         walls.extend((0..rng.random_range(1..4)).map(|i| pin(rng, i, size, edge)));
     }
-    if rng.random_bool(0.2) {
-        for plate in &mut plates {
-            let short = plate.width.unwrap_or(size).min((plate.edge - plate.uphill).norm()).min(size);
-            plate.edge_radius = short * draw::across(rng, 0.01, 0.4);
-        }
-    }
+    rounded_or_bent(rng, &mut plates, size);
+    let in_groove = matches!(plates[0].cross_section, CrossSection::Groove { .. });
+    let start = Start { aside: if in_groove { 0.0 } else { start.aside }, ..start };
     Some(Feeder { gravity: 9.81, stop, law, part, start, plates, walls })
 }

@@ -1,5 +1,7 @@
 //! Every tolerance of this crate, with its unit and its reason. Those of the motion stand in carom-motion.
 
+use std::f64::consts::PI;
+
 /// A plate or wall shorter than this fraction of the part's size has no length: its direction would be rounding.
 pub(crate) const NO_LENGTH: f64 = 1e-9;
 /// A first plate whose ends are beside each other by less than this fraction of its length is vertical: no part lies on it.
@@ -28,6 +30,8 @@ pub(crate) const ON_ONE_LINE: f64 = 1e-6;
 pub(crate) const WIDE: f64 = 400.0;
 /// A plate reaches this far under the walls along its sides, in units of the part's size: where a part touches wall and plate at once, the plate has no edge of its own.
 pub(crate) const UNDER_WALLS: f64 = 1e-3;
+/// The least and the largest angle between the flanks of a groove [rad], 10° and 170°: beyond them what one flank carries is hardly told from what the other does.
+pub(crate) const V_ANGLES: [f64; 2] = [PI / 18.0, 17.0 * PI / 18.0];
 /// Corners of one face of a box are on its plane to this share of the box's diagonal: rounding.
 pub(crate) const BOX_HULL: f64 = 1e-12;
 /// Places of a surface that is drawn are of one face within this part of the body's reach.

@@ -113,7 +113,7 @@ pub(crate) fn in_space(feeder: &Feeder, part: spatial::Part) -> spatial::Feeder 
         edge: plate.edge,
         width: None,
         roll: 0.0,
-        side_walls: 0.0,
+        cross_section: spatial::CrossSection::Flat,
         edge_radius: plate.form.edge_radius,
         friction: plate.friction,
         restitution: plate.restitution,

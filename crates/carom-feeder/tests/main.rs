@@ -15,4 +15,5 @@ mod random;
 mod random_feeders;
 mod spatial;
 mod spatial_discs;
+mod spatial_grooves;
 mod strikes;

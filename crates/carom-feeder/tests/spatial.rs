@@ -3,7 +3,7 @@
 #![allow(clippy::print_stdout, reason = "how far two engines differ is a measurement")]
 
 use crate::grid::in_space;
-use carom_feeder::spatial::{self, Exit, Wall, WallForm, examples};
+use carom_feeder::spatial::{self, CrossSection, Exit, Wall, WallForm, examples};
 use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,
 };
@@ -260,8 +260,12 @@ fn a_box_slides_down_the_steepest_line_of_a_plate_that_is_rolled() {
 #[test]
 fn side_walls_keep_a_part_on_its_plate() {
     let mut feeder = examples::two_plates();
-    feeder.plates[0] =
-        spatial::Plate { width: Some(0.06), side_walls: 0.03, roll: 0.3, ..feeder.plates[0].clone() };
+    feeder.plates[0] = spatial::Plate {
+        width: Some(0.06),
+        cross_section: CrossSection::Walled { height: 0.03 },
+        roll: 0.3,
+        ..feeder.plates[0].clone()
+    };
     feeder.start.to_edge = 0.25;
     let run = feeder.run().unwrap();
     let down = Vec3::new(0.29, -0.08, 0.0).unit().unwrap();
@@ -284,7 +288,7 @@ fn side_walls_keep_a_part_on_its_plate() {
     );
     let free = spatial::Feeder {
         plates: vec![
-            spatial::Plate { side_walls: 0.0, ..feeder.plates[0].clone() },
+            spatial::Plate { cross_section: CrossSection::Flat, ..feeder.plates[0].clone() },
             feeder.plates[1].clone(),
         ],
         ..feeder
@@ -506,7 +510,9 @@ fn drawn_anyhow(case: u64, mirrored: bool) -> spatial::Feeder {
     }
     let lower = &mut feeder.plates[1];
     lower.width = rng.random_bool(0.5).then(|| rng.random_range(0.06..0.12));
-    lower.side_walls = if lower.width.is_some() && rng.random_bool(0.5) { 0.02 } else { 0.0 };
+    if lower.width.is_some() && rng.random_bool(0.5) {
+        lower.cross_section = CrossSection::Walled { height: 0.02 };
+    }
     feeder
 }
 

@@ -242,7 +242,7 @@ pub(crate) fn plates(feeder: &Feeder) -> Markup {
                 td { (degrees(plate.roll)) }
                 td { (length.map_or("as needed".to_owned(), millimetres)) }
                 td { (plate.width.map_or("as needed".to_owned(), millimetres)) }
-                td { (or_none(plate.side_walls)) }
+                td { (part::sides(plate, millimetres, degrees)) }
                 td { (or_none(plate.edge_radius)) }
                 (surface(plate.friction, plate.restitution))
             }
@@ -274,7 +274,7 @@ pub(crate) fn plates(feeder: &Feeder) -> Markup {
     };
     let rows = feeder.plates.iter().enumerate().map(plate).chain(feeder.walls.iter().enumerate().map(wall));
     let heads =
-        ["plate", "slope", "roll", "length", "width", "side walls", "edge radius", "friction", "restitution"];
+        ["plate", "slope", "roll", "length", "width", "sides", "edge radius", "friction", "restitution"];
     html! { section id="plates" { h2 { "Plates and walls" } (table("small", &heads, rows)) } }
 }
 

@@ -73,7 +73,7 @@ fn every_strike_is_told_with_its_contacts_and_their_impulses() {
 fn the_numbers_of_the_player_are_numbers() {
     let mut feeder = examples::two_plates();
     feeder.plates[1].width = Some(0.08);
-    feeder.plates[1].side_walls = 0.02;
+    feeder.plates[1].cross_section = carom_feeder::spatial::CrossSection::Walled { height: 0.02 };
     let page = page(&feeder);
     let numbers = numbers(&page);
     for word in ["NaN", "inf", "null", "Vec3", "Some"] {

@@ -215,6 +215,7 @@ pub(crate) struct PlateDrawing {
     pub(crate) width: Option<Quantity>,
     pub(crate) roll: Option<Quantity>,
     pub(crate) side_walls: Option<Quantity>,
+    pub(crate) v_angle: Option<Quantity>,
     pub(crate) surface: Surface,
     pub(crate) want: Option<Want>,
     pub(crate) span: Range<usize>,

@@ -58,6 +58,7 @@ pub(crate) fn zigzag_plates(zigzag: &ZigzagDrawing) -> Vec<PlateDrawing> {
             width: None,
             roll: None,
             side_walls: None,
+            v_angle: None,
             surface: zigzag.surface.clone(),
             want: if i + 1 == count { zigzag.want } else { None },
             span: zigzag.span.clone(),

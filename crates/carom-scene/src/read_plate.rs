@@ -28,6 +28,7 @@ pub(crate) fn read_plates(root: &Section<'_>) -> Vec<Option<PlateDrawing>> {
             width: section.quantity_if_known("width"),
             roll: section.quantity_if_known("roll"),
             side_walls: section.quantity_if_known("side_walls"),
+            v_angle: section.quantity_if_known("v_angle"),
             surface: read_surface(&section),
             want: read_want(&section),
             span: section.span(),

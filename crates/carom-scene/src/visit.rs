@@ -87,8 +87,12 @@ fn visit_plate(plate: &mut PlateDrawing, visitor: &mut Visitor<'_>) {
     if let Some(radius) = &mut plate.edge_radius {
         visitor(format_args!("plate.{name}.edge_radius"), radius);
     }
-    let wide =
-        [("width", &mut plate.width), ("roll", &mut plate.roll), ("side_walls", &mut plate.side_walls)];
+    let wide = [
+        ("width", &mut plate.width),
+        ("roll", &mut plate.roll),
+        ("side_walls", &mut plate.side_walls),
+        ("v_angle", &mut plate.v_angle),
+    ];
     for (key, quantity) in wide {
         if let Some(quantity) = quantity {
             visitor(format_args!("plate.{name}.{key}"), quantity);

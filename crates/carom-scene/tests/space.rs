@@ -1,6 +1,7 @@
 //! Scenes whose part is a solid.
 
 use carom_feeder::Outcome;
+use carom_feeder::spatial::CrossSection;
 use carom_scene::{AnyScene, ApproximationKind, Drawn, Problems, Scene, SpaceRunReport, SpaceScene, Word};
 use carom_study::yields::{Plan, Points, sample};
 
@@ -118,6 +119,27 @@ fn what_is_drawn_is_checked_as_a_whole() {
     assert!(walled.contains("plate.upper.width: 18 mm is too narrow: the part takes 20 mm"), "{walled}");
     let wanted = problems(&BAR.replace("want = \"turned\"", "want = 6")).to_string();
     assert!(wanted.contains("plate.lower.want"), "{wanted}");
+}
+
+/// A groove is drawn by one more key, and in place of walls.
+#[test]
+fn a_plate_may_be_a_v_groove() {
+    let grooved = |more: &str| {
+        let with = format!("width = \"60 mm\"\nv_angle = \"90 deg\"\n{more}");
+        BAR.replacen("width = \"60 mm\"", &with, 1)
+    };
+    let scene = SpaceScene::parse("groove.toml", &grooved("")).unwrap();
+    let CrossSection::Groove { angle } = scene.feeder().plates[0].cross_section else { panic!("a groove") };
+    assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    let wider = scene.with("plate.upper.v_angle", 2.0).unwrap();
+    assert_eq!(wider.feeder().plates[0].cross_section, CrossSection::Groove { angle: 2.0 });
+    let walled = problems(&grooved("side_walls = \"2 mm\""));
+    assert_eq!(walled.list.len(), 1, "{walled}");
+    assert!(walled.to_string().contains("v_angle: does not go together with side_walls"), "{walled}");
+    let aside = problems(&grooved("").replace("[start]", "[start]\naside = \"1 mm\"")).to_string();
+    assert!(aside.contains("start.aside: 1 mm is out of range: 0 in a groove"), "{aside}");
+    let narrow = problems(&grooved("").replace("90 deg", "9 deg")).to_string();
+    assert!(narrow.contains("plate.upper.v_angle: 9 deg is out of range: 10° to 170°"), "{narrow}");
 }
 
 /// Its faces stay where they are, and what is filled is the rounded box.

@@ -1,6 +1,7 @@
 //! Names of plates and walls, and of the features of a part.
 
-use carom_feeder::{Feeder, PartKind, spatial};
+use carom_feeder::spatial::{self, CrossSection};
+use carom_feeder::{Feeder, PartKind};
 use carom_motion::planar::Feature;
 use carom_motion::spatial::Touch;
 use carom_num::Vec2;
@@ -107,4 +108,17 @@ fn corner(feeder: &Feeder, vertex: usize) -> String {
     let down = shape.face_normal(feeder.start.face);
     let top = feeder.part.kind == PartKind::Box && corner.dot(down) < 0.0;
     if top { format!("{end} top") } else { end.to_owned() }
+}
+
+/// What stands along the sides of a plate in space, or how its groove opens, for a table; `length` and `angle` write values \[m, rad\].
+pub fn sides(
+    plate: &spatial::Plate,
+    length: impl Fn(f64) -> String,
+    angle: impl Fn(f64) -> String,
+) -> String {
+    match plate.cross_section {
+        CrossSection::Groove { angle: open } => format!("V {}", angle(open)),
+        CrossSection::Walled { height } => format!("walls {}", length(height)),
+        CrossSection::Flat => "–".to_owned(),
+    }
 }

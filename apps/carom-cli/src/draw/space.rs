@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::printed::notes;
 use crate::{faces, files};
 use carom::tasks::space;
-use carom_feeder::spatial::{Plate, WallForm};
+use carom_feeder::spatial::{CrossSection, Plate, WallForm};
 use carom_figure::senses::slope;
 use carom_num::{Mat3, Vec2};
 use carom_scene::{Approximation, SolidFaceReport, SpaceScene, unit::Dimension};
@@ -29,6 +29,12 @@ struct Sheet {
     /// Null where it is as wide as needed.
     width_m: Option<f64>,
     side_walls_m: f64,
+    /// Of a V groove.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    v_angle_rad: Option<f64>,
+    /// What people read of both.
+    #[serde(skip)]
+    sides: String,
     /// Of a sheet with round edges.
     #[serde(skip_serializing_if = "Option::is_none")]
     edge_radius_m: Option<f64>,
@@ -139,6 +145,14 @@ fn laid(wall: &carom_feeder::spatial::Wall) -> Wall {
     }
 }
 
+fn length(metres: f64) -> String {
+    Dimension::Length.show_digits(metres, 5)
+}
+
+fn angle(radians: f64) -> String {
+    Dimension::Angle.show_digits(radians, 5)
+}
+
 fn layout(scene: &SpaceScene) -> Layout {
     let feeder = scene.feeder();
     let measures = scene.measures();
@@ -151,7 +165,12 @@ fn layout(scene: &SpaceScene) -> Layout {
         slope_rad: slope(plate.uphill, plate.edge),
         roll_rad: plate.roll,
         width_m: plate.width,
-        side_walls_m: plate.side_walls,
+        side_walls_m: if let CrossSection::Walled { height } = plate.cross_section { height } else { 0.0 },
+        v_angle_rad: match plate.cross_section {
+            CrossSection::Groove { angle } => Some(angle),
+            CrossSection::Flat | CrossSection::Walled { .. } => None,
+        },
+        sides: part::sides(plate, length, angle),
         edge_radius_m: is_round(plate.edge_radius),
         friction: plate.friction,
         restitution: plate.restitution,
@@ -179,7 +198,6 @@ fn layout(scene: &SpaceScene) -> Layout {
 }
 
 fn text(layout: &Layout) -> String {
-    let length = |value: f64| Dimension::Length.show_digits(value, 5);
     let mut text = aligned(&rows(layout));
     for plate in layout.plates.iter().filter(|plate| !plate.written.is_empty()) {
         text.push_str(&format!("{}, as written: {}\n", plate.label, plate.written.join(", ")));
@@ -199,8 +217,6 @@ fn text(layout: &Layout) -> String {
 
 /// Plates and walls as rows of a table, their heads first.
 fn rows(layout: &Layout) -> Vec<Vec<String>> {
-    let length = |value: f64| Dimension::Length.show_digits(value, 5);
-    let angle = |value: f64| Dimension::Angle.show_digits(value, 5);
     let number = |value: f64| Dimension::Number.show_digits(value, 5);
     let needed = || "as needed".to_owned();
     let heads = [
@@ -209,7 +225,7 @@ fn rows(layout: &Layout) -> Vec<Vec<String>> {
         "roll",
         "length",
         "width",
-        "side walls",
+        "sides",
         "uphill end",
         "free edge",
         "friction",
@@ -222,7 +238,7 @@ fn rows(layout: &Layout) -> Vec<Vec<String>> {
             angle(plate.roll_rad),
             if plate.unbounded { needed() } else { length(plate.length_m) },
             plate.width_m.map_or_else(needed, length),
-            if plate.side_walls_m > 0.0 { length(plate.side_walls_m) } else { "–".to_owned() },
+            plate.sides.clone(),
             point(plate.from_m),
             point(plate.to_m),
             number(plate.friction),

@@ -234,19 +234,23 @@ impl<'p, 'f> Watcher<'p, 'f> {
         }
     }
 
-    /// The face of the part that lies on a plate: three contacts that are not on one line hold it there, and it is parallel to the plate.
+    /// The face of the part that lies on a plate, in a groove on the flank behind before the other one: three contacts that are not on one line hold it there, and it is parallel to the plate.
     fn face_on(&self, plate: usize, held: Supports, state: &State) -> Option<usize> {
         let Prepared { world, feeder, owners, .. } = self.prepared;
-        // The sheet is the first of a plate's obstacles: its side walls follow.
-        let sheet = owners.iter().position(|owner| *owner == plate)?;
-        let own = held.those(|support| world.obstacle_of(support) == sheet);
-        if !self.prepared.are_wide(own, state) {
-            return None;
-        }
-        let up = world.normal_at(own.iter().next()?, state);
-        let down = -state.attitude.undo(up);
-        let turned = |face: &super::feeder::Face| (face.normal - down).norm();
-        feeder.part.faces.iter().position(|face| turned(face) <= FLAT_FACE)
+        // What carries is the first of a plate's obstacles, one sheet or two flanks: its side walls follow.
+        let first = owners.iter().position(|owner| *owner == plate)?;
+        let carriers = feeder.plates[plate].carrying().len();
+        let face_on = |sheet: usize| {
+            let own = held.those(|support| world.obstacle_of(support) == sheet);
+            if !self.prepared.are_wide(own, state) {
+                return None;
+            }
+            let up = world.normal_at(own.iter().next()?, state);
+            let down = -state.attitude.undo(up);
+            let turned = |face: &super::feeder::Face| (face.normal - down).norm();
+            feeder.part.faces.iter().position(|face| turned(face) <= FLAT_FACE)
+        };
+        (first..first + carriers).find_map(face_on)
     }
 
     /// The mass centre of a part that has touched the last plate moves downhill beyond its free edge, between its sides.

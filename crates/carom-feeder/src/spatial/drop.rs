@@ -1,15 +1,15 @@
 //! A feeder made ready, and its run.
 
 use super::course::Watcher;
-use super::feeder::{Feeder, Start, Wall, WallForm};
+use super::feeder::{CrossSection, Feeder, Plate, Start, Wall, WallForm};
 use super::run::Run;
 use super::sheets::obstacle;
 use crate::check::{Findings, Of};
 use crate::drop::RunError;
 use crate::feeder::FeederProblem;
-use crate::tolerance::{CROSSES_START, FARTHEST, NO_LENGTH, ON_ONE_LINE, OPPOSITE, VERTICAL};
+use crate::tolerance::{CROSSES_START, FARTHEST, NO_LENGTH, ON_ONE_LINE, OPPOSITE, V_ANGLES, VERTICAL};
 use carom_motion::spatial::{Friction, Options, State, Supports, Touch, World};
-use carom_num::elementary::atan2;
+use carom_num::elementary::{atan2, sin};
 use carom_num::{Rotation, Vec3};
 use std::f64::consts::PI;
 
@@ -121,8 +121,9 @@ impl Feeder {
     pub fn start_state(&self) -> State {
         let still =
             State { centre: Vec3::ZERO, attitude: Rotation::NONE, velocity: Vec3::ZERO, spin: Vec3::ZERO };
-        let first = self.plates.first();
-        let Some((plate, axes)) = first.and_then(|plate| Some((plate, plate.axes()?))) else { return still };
+        let Some(plate) = self.plates.first() else { return still };
+        let carrying = plate.carrying();
+        let Some(axes) = carrying.first() else { return still };
         let Start { to_edge, aside, turn, speed, face } = self.start;
         let Some(face) = self.part.faces.get(face) else { return still };
         let edge = Vec3::new(plate.edge.x, plate.edge.y, 0.0);
@@ -131,12 +132,16 @@ impl Feeder {
         let right = axes.up.cross(axes.across);
         let on_plate = rotation_to([right, axes.up, axes.across]);
         let attitude = Rotation::by(axes.up * turn).after(on_plate).after(laid_down(face.normal));
-        State {
-            centre: foot + axes.up * face.depth,
-            attitude,
-            velocity: axes.downhill * speed,
-            spin: Vec3::ZERO,
-        }
+        let centre = foot + axes.up * face.depth;
+        let lying = State { centre, attitude, velocity: axes.downhill * speed, spin: Vec3::ZERO };
+        // In a groove it is pushed down its flank, which is across it, against the other one.
+        let pushed = carrying.get(1).map_or(0.0, |other| {
+            let gap = |corner: &Vec3| other.up.dot(lying.place(*corner) - edge);
+            let least = self.part.body.supports().iter().map(gap).fold(f64::INFINITY, f64::min);
+            let radius = self.part.body.rounding().unwrap_or_default();
+            -(least - radius) / other.up.dot(axes.across)
+        });
+        State { centre: centre + axes.across * pushed, ..lying }
     }
 
     /// How wide the first plate must be between its side walls for the part where it starts \[m\].
@@ -163,18 +168,7 @@ impl Feeder {
         let size = self.part.body.reach();
         found.demand(self.gravity.is_finite() && self.gravity > 0.0, "gravity", self.gravity, "above 0 m/s²");
         for plate in &self.plates {
-            let of = Of { kind: "plate", name: &plate.name };
-            found.segment(of, plate.uphill, plate.edge, size);
-            found.surface(of, plate.friction, plate.restitution);
-            let width = plate.width.unwrap_or(size);
-            let wide = width > NO_LENGTH * size && width <= FARTHEST * size;
-            found.demand(wide, of.key("width"), width, "above 0, and at most 4000 part sizes");
-            found.demand(plate.roll.abs() < 0.5 * PI, of.key("roll"), plate.roll, "between -90° and 90°");
-            let high = (0.0..=FARTHEST * size).contains(&plate.side_walls);
-            found.demand(high, of.key("side_walls"), plate.side_walls, "0 to 4000 part sizes");
-            let between = plate.width.filter(|_| plate.side_walls == 0.0).unwrap_or(f64::INFINITY);
-            let least = (plate.edge - plate.uphill).norm().min(between);
-            found.edge_radius(of, plate.edge_radius, least, &self.part.body);
+            self.plate_problems(&mut found, plate, size);
         }
         for wall in &self.walls {
             let of = Of { kind: wall.kind(), name: &wall.name };
@@ -194,6 +188,34 @@ impl Feeder {
         found.problems
     }
 
+    fn plate_problems(&self, found: &mut Findings, plate: &Plate, size: f64) {
+        let of = Of { kind: "plate", name: &plate.name };
+        found.segment(of, plate.uphill, plate.edge, size);
+        found.surface(of, plate.friction, plate.restitution);
+        let width = plate.width.unwrap_or(size);
+        let wide = width > NO_LENGTH * size && width <= FARTHEST * size;
+        found.demand(wide, of.key("width"), width, "above 0, and at most 4000 part sizes");
+        found.demand(plate.roll.abs() < 0.5 * PI, of.key("roll"), plate.roll, "between -90° and 90°");
+        let open = plate.width.unwrap_or(f64::INFINITY);
+        // How far what has round edges reaches from one side to the other.
+        let side = match plate.cross_section {
+            CrossSection::Flat => open,
+            CrossSection::Walled { height } => {
+                let high = height > 0.0 && height <= FARTHEST * size;
+                found.demand(high, of.key("side_walls"), height, "above 0, and at most 4000 part sizes");
+                f64::INFINITY
+            }
+            CrossSection::Groove { angle } => {
+                let [least, most] = V_ANGLES;
+                let fine = (least..=most).contains(&angle);
+                found.demand(fine, of.key("v_angle"), angle, "10° to 170°");
+                if fine { open * 0.5 / sin(0.5 * angle) } else { open }
+            }
+        };
+        let least = (plate.edge - plate.uphill).norm().min(side);
+        found.edge_radius(of, plate.edge_radius, least, &self.part.body);
+    }
+
     fn start_problems(&self, found: &mut Findings) {
         let Start { to_edge, aside, turn, speed, face } = self.start;
         for (path, value) in [("start.speed", speed), ("start.turn", turn), ("start.aside", aside)] {
@@ -209,6 +231,8 @@ impl Feeder {
         let half = first.width.map_or(f64::INFINITY, |width| 0.5 * width);
         let allowed = "at most half the first plate's width to either side";
         found.demand(aside.abs() <= half, "start.aside", aside, allowed);
+        let beside = aside == 0.0 || !matches!(first.cross_section, CrossSection::Groove { .. });
+        found.demand(beside, "start.aside", aside, "0 in a groove: the part lies against both flanks");
         found.upright(run.norm() > 0.0 && run.x.abs() <= VERTICAL * run.norm());
     }
 }

@@ -1,6 +1,6 @@
 //! Small feeders in space that examples and tests share.
 
-use super::feeder::{Feeder, Part, Plate, Start};
+use super::feeder::{CrossSection, Feeder, Part, Plate, Start};
 use crate::feeder::Stop;
 use crate::tolerance::BOX_HULL;
 use carom_motion::spatial::Polyhedron;
@@ -34,7 +34,7 @@ pub fn two_plates() -> Feeder {
         edge: Vec2::new(edge.0, edge.1),
         width: None,
         roll: 0.0,
-        side_walls: 0.0,
+        cross_section: CrossSection::Flat,
         edge_radius: 0.0,
         friction: 0.15,
         restitution: 0.0,

@@ -137,7 +137,25 @@ impl Part {
     }
 }
 
-/// A plate: flat, thin, with the same ends as in the drawing.
+/// What a plate is like across its line.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum CrossSection {
+    /// Flat, its sides open.
+    #[default]
+    Flat,
+    /// Flat, with walls along both sides, square to it.
+    Walled {
+        /// How high they are [m].
+        height: f64,
+    },
+    /// Two flanks of a V groove, whose bottom is the line.
+    Groove {
+        /// The angle between them [rad].
+        angle: f64,
+    },
+}
+
+/// A plate, thin, with the same ends as in the drawing: flat, or two flanks of a V groove along the line between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plate {
     /// Its name.
@@ -146,13 +164,13 @@ pub struct Plate {
     pub uphill: Vec2,
     /// Free edge, the downhill end [m].
     pub edge: Vec2,
-    /// Its width across the drawing, half of it to either side [m]; `None` where it is as wide as needed.
+    /// Its width across the drawing, half of it to either side [m]; of a groove how wide it opens. `None` where it is as wide as needed.
     pub width: Option<f64>,
     /// How far it is turned about the line from its uphill end to its free edge, clockwise as seen down that line where it leads to the right [rad]: a positive one lowers the side
     /// that is towards whoever looks at the drawing.
     pub roll: f64,
-    /// Height of the walls along its two sides, square to it [m]; 0 where there are none.
-    pub side_walls: f64,
+    /// What it is like across.
+    pub cross_section: CrossSection,
     /// Radius of its edges [m]: it is then a sheet twice as thick below its upper side, its ends half round, and its sides where no walls stand along them. Thin and sharp at 0.
     pub edge_radius: f64,
     /// Friction against the part.
@@ -202,14 +220,14 @@ pub struct Wall {
     pub restitution: f64,
 }
 
-/// How the part starts: lying flat on the first plate.
+/// How the part starts: lying flat on the first plate; in a groove on the flank behind, and against the other one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// From the mass centre to the first plate's free edge, along the plate [m].
     pub to_edge: f64,
-    /// From the middle of the plate to the mass centre, across it: towards whoever looks at the drawing [m].
+    /// From the middle of the plate to the mass centre, across it: towards whoever looks at the drawing [m]. 0 in a groove, where both flanks say where it is.
     pub aside: f64,
-    /// How far the part is turned on the plate, counter-clockwise as seen from above it [rad]. At 0 the body's axes are those of the drawing, but for the least turn that lays
+    /// How far the part is turned on the plate, or on its flank, counter-clockwise as seen from above it [rad]. At 0 the body's axes are those of the drawing, but for the least turn that lays
     /// the face down (about z where it is half a turn), and the slope of the plate.
     pub turn: f64,
     /// Speed down the plate [m/s].

@@ -12,5 +12,5 @@ mod sheets;
 mod stages;
 
 pub use drop::Prepared;
-pub use feeder::{Face, Feeder, Part, PartProblem, Plate, Start, Wall, WallForm};
+pub use feeder::{CrossSection, Face, Feeder, Part, PartProblem, Plate, Start, Wall, WallForm};
 pub use run::{Exit, Run};

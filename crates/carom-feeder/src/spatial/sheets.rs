@@ -1,6 +1,6 @@
 //! Plates and walls as the sheets that they are: for the part, and for pictures.
 
-use super::feeder::{Plate, Wall, WallForm};
+use super::feeder::{CrossSection, Plate, Wall, WallForm};
 use crate::tolerance::{UNDER_WALLS, WIDE};
 use carom_motion::spatial::{Obstacle, Plane};
 use carom_num::elementary::sin_cos;
@@ -10,12 +10,21 @@ use std::f64::consts::PI;
 /// Facets of a half round edge in a picture.
 const FACETS: u32 = 4;
 
-/// Axes of a plate, world axes: downhill, out of its upper side, and across it.
+/// Axes of what carries on a plate, world axes: downhill, out of its upper side, and across it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Axes {
     pub(super) downhill: Vec3,
     pub(super) up: Vec3,
     pub(super) across: Vec3,
+}
+
+impl Axes {
+    /// Turned about the downhill line so far from up towards across.
+    fn leant(self, angle: f64) -> Self {
+        let (sine, cosine) = sin_cos(angle);
+        let Self { downhill, up, across } = self;
+        Self { downhill, up: up * cosine + across * sine, across: across * cosine - up * sine }
+    }
 }
 
 /// The middle of a sheet: a rectangle about whose places balls are.
@@ -81,26 +90,49 @@ impl Plate {
         Some(Axes { downhill, up: roll.apply(Vec3::new(left.x, left.y, 0.0)), across: roll.apply(Vec3::Z) })
     }
 
-    /// Its sheet, below its upper side. Its sides are round as its ends are, unless walls stand along them: its upper side reaches under these.
-    fn sheet(&self, size: f64) -> Option<Sheet> {
-        let Axes { up, across, .. } = self.axes()?;
+    /// The axes of what carries: of a flat plate its own; of the flanks of a groove, the one behind first. None where it has no length.
+    pub(super) fn carrying(&self) -> Vec<Axes> {
+        let Some(axes) = self.axes() else { return vec![] };
+        match self.cross_section {
+            CrossSection::Flat | CrossSection::Walled { .. } => vec![axes],
+            CrossSection::Groove { angle } => {
+                let lean = 0.5 * (PI - angle);
+                vec![axes.leant(lean), axes.leant(-lean)]
+            }
+        }
+    }
+
+    /// The sheets that carry, below their upper sides. Sides are round as ends are, unless walls stand along them: the upper side reaches under these.
+    fn carriers(&self, size: f64) -> Vec<Sheet> {
         let radius = self.edge_radius;
-        let ends = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0) - up * radius);
-        let half = match self.width {
-            None => 0.5 * WIDE * size,
-            Some(width) if self.side_walls > 0.0 => 0.5 * width + UNDER_WALLS * size,
-            Some(width) => 0.5 * width - radius,
+        let half = 0.5 * self.width.unwrap_or(WIDE * size);
+        let under = UNDER_WALLS * size;
+        // How far the middles of their sheets reach across, from one side to the other.
+        let reaches = match self.cross_section {
+            CrossSection::Walled { .. } => vec![[-half - under, half + under]],
+            CrossSection::Flat if self.width.is_none() => vec![[-half, half]],
+            CrossSection::Flat => vec![[radius - half, half - radius]],
+            CrossSection::Groove { angle } => {
+                let (sine, cosine) = sin_cos(0.5 * angle);
+                // At the bottom each goes on below the other: as a bent sheet does, their middles meet.
+                let (long, beyond) = (half / sine - radius, under.max(radius * cosine / sine));
+                vec![[-long, beyond], [-beyond, long]]
+            }
         };
-        Sheet::between(ends, [across, up], half, radius)
+        let sheet = |(Axes { up, across, .. }, [from, to]): (Axes, [f64; 2])| {
+            let middle = across * (0.5 * (from + to)) - up * radius;
+            let ends = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0) + middle);
+            Sheet::between(ends, [across, up], 0.5 * (to - from), radius)
+        };
+        self.carrying().into_iter().zip(reaches).filter_map(sheet).collect()
     }
 
     /// The walls along its sides, by their corners; none where they have no height or the plate is as wide as needed.
     fn sides(&self) -> Vec<[Vec3; 4]> {
-        let (Some(width), Some(axes)) = (self.width.filter(|_| self.side_walls > 0.0), self.axes()) else {
-            return vec![];
-        };
+        let CrossSection::Walled { height } = self.cross_section else { return vec![] };
+        let (Some(width), Some(axes)) = (self.width, self.axes()) else { return vec![] };
         let [edge, uphill] = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0));
-        let high = axes.up * self.side_walls;
+        let high = axes.up * height;
         let side = |sign: f64| {
             let beside = axes.across * (0.5 * width * sign);
             [edge + beside, edge + beside + high, uphill + beside + high, uphill + beside]
@@ -108,19 +140,18 @@ impl Plate {
         vec![side(1.0), side(-1.0)]
     }
 
-    /// The rectangle in the middle of its sheet, and those of the walls along its sides, by their corners \[m\]; each with the radius of the ball about all of its places. Beside a part of
-    /// this size; none where it has no length.
+    /// The rectangles in the middle of its sheets that carry, and those of the walls along its sides, by their corners \[m\]; each with the radius of the ball about all of its places.
+    /// Beside a part of this size; none where it has no length.
     pub fn sheets(&self, size: f64) -> Vec<([Vec3; 4], f64)> {
-        let Some(sheet) = self.sheet(size) else { return vec![] };
-        let sides = self.sides().into_iter().map(|corners| (corners, 0.0));
-        [(sheet.corners(0.0, 0.0), sheet.radius)].into_iter().chain(sides).collect()
+        let carriers = self.carriers(size).into_iter().map(|sheet| (sheet.corners(0.0, 0.0), sheet.radius));
+        carriers.chain(self.sides().into_iter().map(|corners| (corners, 0.0))).collect()
     }
 
-    /// Its polygons as a picture has them \[m\], beside a part of this size: its sheet, by the corners along its free edge first, counter-clockwise as seen from above where it leads to the
-    /// right, round edges in facets; then the walls along its sides.
+    /// Its polygons as a picture has them \[m\], beside a part of this size: its sheets that carry, each by the corners along its free edge first, counter-clockwise as seen from above where
+    /// it leads to the right, round edges in facets; then the walls along its sides.
     pub fn polygons(&self, size: f64) -> Vec<Vec<Vec3>> {
-        let sheet = self.sheet(size).map(|sheet| sheet.polygons()).unwrap_or_default();
-        sheet.into_iter().chain(self.sides().into_iter().map(Vec::from)).collect()
+        let carriers = self.carriers(size).into_iter().flat_map(|sheet| sheet.polygons());
+        carriers.chain(self.sides().into_iter().map(Vec::from)).collect()
     }
 }
 

@@ -156,7 +156,7 @@ static SOLID: Table = Table {
 
 static SPACE_START: Table = Table::plain(
     "SpaceStart",
-    "How the part starts, lying flat on the first plate.",
+    "How the part starts, lying flat on the first plate; in a V groove on the flank behind, and against the other one.",
     &[&[
         TO_EDGE,
         START_SPEED,
@@ -173,7 +173,7 @@ static SPACE_START: Table = Table::plain(
         key(
             "turn",
             Holds::Quantity(TURN),
-            "How far the part is turned on the plate, counter-clockwise as seen from above. At 0 its axes are those of the drawing, but for the least turn that lays the face down.",
+            "How far the part is turned on the plate, or on its flank, counter-clockwise as seen from above. At 0 its axes are those of the drawing, but for the least turn that lays the face down.",
         )
         .or(0.0),
         key(
@@ -209,13 +209,13 @@ const WAYS: &str = "a plate is placed by wall + drop + slope + gap (or length), 
 const BENT: Foreign = Foreign {
     keys: &["chain", "bend_radius"],
     kind: ProblemKind::Unsupported,
-    message: "is for parts that move in the plane: in space plates are flat",
+    message: "is for parts that move in the plane: in space plates are straight",
     help: "",
 };
 
 static SPACE_PLATE: Table = Table {
     name: "SpacePlate",
-    about: "A flat plate, placed as in the plane, with a width across the drawing. With edge_radius its sides are round as its ends are, but where side_walls stand along them.",
+    about: "A plate, placed as in the plane, with a width across the drawing: flat, or with v_angle a V groove. With edge_radius its sides are round as its ends are, but where side_walls stand along them.",
     keys: &[
         STRAIGHT,
         &[
@@ -236,6 +236,11 @@ static SPACE_PLATE: Table = Table {
                 "Height of walls along both sides, square to the plate; they touch the part as the plate does. They need a width.",
             )
             .or(0.0),
+            key(
+                "v_angle",
+                Holds::Quantity(TURN),
+                "Angle between the two flanks of a V groove, 10° to 170°: its bottom is the line from the uphill end to the free edge, and width is how wide it opens. The plate is flat where it is left out.",
+            ),
             PLATE_EDGE_RADIUS,
             WANT,
         ],
@@ -243,6 +248,12 @@ static SPACE_PLATE: Table = Table {
     ],
     rules: &[
         REACH,
+        Rule {
+            when: When::Any(&["side_walls", "v_angle"]),
+            ways: &[way(When::Has("side_walls"), &[], &[]), way(When::Has("v_angle"), &[], &[])],
+            missing: "",
+            help: "a plate is flat, with walls along its sides or without, or a V groove",
+        },
         Rule {
             when: When::Has("side_walls"),
             ways: &[way(When::Has("width"), &[], &[])],

@@ -12,7 +12,7 @@ use crate::scene::quantities;
 use crate::surfaces::{contact_notes, surface_of};
 use crate::tolerance::ONE_FACE;
 use crate::unit::Dimension;
-use carom_feeder::spatial::{Feeder, Part, Plate, Start, Wall, WallForm};
+use carom_feeder::spatial::{CrossSection, Feeder, Part, Plate, Start, Wall, WallForm};
 use carom_motion::spatial::{Body, BodyProblem, Options, Polyhedron, Supports};
 use carom_num::Vec3;
 
@@ -75,8 +75,13 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
     let approximations = hull_of(&shape);
     let mut notes = contact_notes(drawing);
     notes.extend(crossing_notes(&feeder));
+    let is_groove = |plate: &Plate| matches!(plate.cross_section, CrossSection::Groove { .. });
+    notes.extend(feeder.plates.iter().any(is_groove).then(|| IN_A_GROOVE.to_owned()));
     Ok(SpaceAssembled { feeder, notes, approximations, shape, centre, wants })
 }
+
+/// What a verdict says where two faces of the part may lie on one plate.
+const IN_A_GROOVE: &str = "in a V groove the verdict names the face on the flank behind the drawing; where none lies on that flank, the face on the flank in front";
 
 /// The faces of a box by their numbers: round it as in the plane, lower long side first; then those before and behind the drawing.
 const BOX_FACES: [Vec3; 6] = [
@@ -209,7 +214,11 @@ fn wide(drawn: &PlateDrawing, plate: carom_feeder::Plate) -> Plate {
         edge: plate.edge,
         width: value(&drawn.width),
         roll: value(&drawn.roll).unwrap_or(0.0),
-        side_walls: value(&drawn.side_walls).unwrap_or(0.0),
+        cross_section: match (value(&drawn.v_angle), value(&drawn.side_walls)) {
+            (Some(angle), _) => CrossSection::Groove { angle },
+            (None, Some(height)) if height > 0.0 => CrossSection::Walled { height },
+            (None, _) => CrossSection::Flat,
+        },
         edge_radius: plate.form.edge_radius,
         friction: plate.friction,
         restitution: plate.restitution,
