@@ -313,7 +313,6 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
         walls.extend((0..rng.random_range(1..4)).map(|i| pin(rng, i, size, edge)));
     }
     rounded_or_bent(rng, &mut plates, size);
-    let in_groove = matches!(plates[0].cross_section, CrossSection::Groove { .. });
-    let start = Start { aside: if in_groove { 0.0 } else { start.aside }, ..start };
+    let start = Start { aside: if plates[0].cross_section.is_groove() { 0.0 } else { start.aside }, ..start };
     Some(Feeder { gravity: 9.81, stop, law, part, start, plates, walls })
 }

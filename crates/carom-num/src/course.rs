@@ -196,8 +196,7 @@ pub fn follow<C: Course>(
     first: f64,
     most_steps: usize,
 ) -> Result<Followed<C>, Lost> {
-    let pace = course.pace(&y, &rate);
-    walk(&mut Integration { course, y, rate, length: first, pace }, most_steps)
+    walk(&mut Integration { course, y, rate, length: first, pace: None }, most_steps)
 }
 
 /// A course from step to step.
@@ -207,8 +206,8 @@ struct Integration<'c, C: Course> {
     rate: C::Y,
     /// Of the next step.
     length: f64,
-    /// Of the last step.
-    pace: Pace<C::Y>,
+    /// Of the last step; `None` before the first.
+    pace: Option<Pace<C::Y>>,
 }
 
 impl<C: Course> Stepper for Integration<'_, C> {
@@ -221,16 +220,17 @@ impl<C: Course> Stepper for Integration<'_, C> {
     }
 
     fn step(&mut self) -> Result<Step<C::Y>, Lost> {
-        self.pace = self.course.pace(&self.y, &self.rate);
-        let (step, next) = self.course.step((&self.y, &self.rate), self.length, &self.pace)?;
-        self.length = next;
+        let pace = self.course.pace(&self.y, &self.rate);
+        let (step, next) = self.course.step((&self.y, &self.rate), self.length, &pace)?;
+        (self.length, self.pace) = (next, Some(pace));
         Ok(step)
     }
 
     fn event(&mut self, step: &mut Step<C::Y>) -> Result<Option<Reached<C::Y, C::Event>>, Lost> {
         let found = self.course.first_event(step)?;
         Ok(found.map(|found| {
-            let (length, y) = reach(self.course, step, &found, self.pace.clock);
+            let clock = self.pace.as_ref().map_or(0.0, |pace| pace.clock);
+            let (length, y) = reach(self.course, step, &found, clock);
             Reached { event: found.event, length, y }
         }))
     }
@@ -239,8 +239,9 @@ impl<C: Course> Stepper for Integration<'_, C> {
         let (end, rate) = (step.end, step.end_rate);
         self.y = self.course.passed(step);
         // Drift that was taken back and is more than a step may err by takes its derivative along: the next step would think that it bends where it begins.
-        let moved = |i: usize| (self.y.at(i) - end.at(i)).abs() > self.pace.tolerance.at(i);
-        self.rate = if (0..C::Y::COUNT).any(moved) { self.course.rate(&self.y) } else { rate };
+        let off = |pace: &Pace<C::Y>, i: usize| (self.y.at(i) - end.at(i)).abs() > pace.tolerance.at(i);
+        let moved = self.pace.as_ref().is_some_and(|pace| (0..C::Y::COUNT).any(|i| off(pace, i)));
+        self.rate = if moved { self.course.rate(&self.y) } else { rate };
     }
 }
 

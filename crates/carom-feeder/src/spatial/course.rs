@@ -239,7 +239,7 @@ impl<'p, 'f> Watcher<'p, 'f> {
         let Prepared { world, feeder, owners, .. } = self.prepared;
         // What carries is the first of a plate's obstacles, one sheet or two flanks: its side walls follow.
         let first = owners.iter().position(|owner| *owner == plate)?;
-        let carriers = feeder.plates[plate].carrying().len();
+        let carriers = if feeder.plates[plate].cross_section.is_groove() { 2 } else { 1 };
         let face_on = |sheet: usize| {
             let own = held.those(|support| world.obstacle_of(support) == sheet);
             if !self.prepared.are_wide(own, state) {

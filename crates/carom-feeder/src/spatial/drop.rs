@@ -135,12 +135,9 @@ impl Feeder {
         let centre = foot + axes.up * face.depth;
         let lying = State { centre, attitude, velocity: axes.downhill * speed, spin: Vec3::ZERO };
         // In a groove it is pushed down its flank, which is across it, against the other one.
-        let pushed = carrying.get(1).map_or(0.0, |other| {
-            let gap = |corner: &Vec3| other.up.dot(lying.place(*corner) - edge);
-            let least = self.part.body.supports().iter().map(gap).fold(f64::INFINITY, f64::min);
-            let radius = self.part.body.rounding().unwrap_or_default();
-            -(least - radius) / other.up.dot(axes.across)
-        });
+        let pushed = carrying
+            .get(1)
+            .map_or(0.0, |other| self.reaches(&lying, edge, -other.up) / other.up.dot(axes.across));
         State { centre: centre + axes.across * pushed, ..lying }
     }
 
@@ -157,9 +154,14 @@ impl Feeder {
 
     fn between_at_start(&self, middle: Vec3, across: Vec3) -> f64 {
         let start = self.start_state();
-        let beside = |point: &Vec3| (start.place(*point) - middle).dot(across).abs();
-        let radius = self.part.body.rounding().unwrap_or_default();
-        2.0 * (self.part.body.supports().iter().map(beside).fold(0.0, f64::max) + radius)
+        2.0 * self.reaches(&start, middle, across).max(self.reaches(&start, middle, -across))
+    }
+
+    /// How far the part reaches along a direction, from a place on \[m\].
+    fn reaches(&self, state: &State, from: Vec3, along: Vec3) -> f64 {
+        let body = &self.part.body;
+        let beyond = body.supports().iter().map(|corner| (state.place(*corner) - from).dot(along));
+        beyond.fold(f64::NEG_INFINITY, f64::max) + body.rounding().unwrap_or_default()
     }
 
     /// All that is wrong with the numbers.
@@ -231,7 +233,7 @@ impl Feeder {
         let half = first.width.map_or(f64::INFINITY, |width| 0.5 * width);
         let allowed = "at most half the first plate's width to either side";
         found.demand(aside.abs() <= half, "start.aside", aside, allowed);
-        let beside = aside == 0.0 || !matches!(first.cross_section, CrossSection::Groove { .. });
+        let beside = aside == 0.0 || !first.cross_section.is_groove();
         found.demand(beside, "start.aside", aside, "0 in a groove: the part lies against both flanks");
         found.upright(run.norm() > 0.0 && run.x.abs() <= VERTICAL * run.norm());
     }

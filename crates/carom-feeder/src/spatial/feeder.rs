@@ -155,6 +155,13 @@ pub enum CrossSection {
     },
 }
 
+impl CrossSection {
+    /// True of a V groove.
+    pub fn is_groove(self) -> bool {
+        matches!(self, Self::Groove { .. })
+    }
+}
+
 /// A plate, thin, with the same ends as in the drawing: flat, or two flanks of a V groove along the line between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plate {

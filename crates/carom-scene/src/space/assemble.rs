@@ -75,8 +75,8 @@ pub(crate) fn assemble(drawing: &Drawing) -> Result<SpaceAssembled, Vec<Problem>
     let approximations = hull_of(&shape);
     let mut notes = contact_notes(drawing);
     notes.extend(crossing_notes(&feeder));
-    let is_groove = |plate: &Plate| matches!(plate.cross_section, CrossSection::Groove { .. });
-    notes.extend(feeder.plates.iter().any(is_groove).then(|| IN_A_GROOVE.to_owned()));
+    let grooved = feeder.plates.iter().any(|plate| plate.cross_section.is_groove());
+    notes.extend(grooved.then(|| IN_A_GROOVE.to_owned()));
     Ok(SpaceAssembled { feeder, notes, approximations, shape, centre, wants })
 }
 

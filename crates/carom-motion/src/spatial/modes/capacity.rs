@@ -28,11 +28,9 @@ impl Capacity {
     pub(in crate::spatial) fn of(world: &World, held: Supports, pose: Pose) -> Option<Self> {
         let friction = world.friction()?;
         let bearing = |i: usize| Bearing {
-            arm: world.arm(i, pose),
-            axes: world.axes(i, pose).map(|axis| pose.attitude.undo(axis)),
             friction: friction.coefficient(i),
             sticks: true,
-            ..Bearing::default()
+            ..Bearing::smooth(world, i, pose)
         };
         let then = held.iter().take(MOST_BEARING).map(bearing).collect();
         Some(Self { body: world.body().clone(), then, gravity: pose.attitude.undo(world.gravity()) })

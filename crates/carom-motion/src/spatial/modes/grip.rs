@@ -1,6 +1,8 @@
 //! What supports that carry a body do to it, each sticking or sliding in a direction that is known.
 
 use crate::spatial::geometry::body::Body;
+use crate::spatial::geometry::state::Pose;
+use crate::spatial::geometry::world::World;
 use crate::tolerance::{MODE_RANK, NOTHING_NEW, STEEPEST};
 use carom_impact::spatial::MOST_EXAMINED;
 use carom_num::solve::{dot, solve_regular};
@@ -29,6 +31,12 @@ pub(in crate::spatial) struct Bearing {
 }
 
 impl Bearing {
+    /// A support without friction that has nothing to take away.
+    pub(in crate::spatial) fn smooth(world: &World, support: usize, pose: Pose) -> Self {
+        let axes = world.axes(support, pose).map(|axis| pose.attitude.undo(axis));
+        Self { arm: world.arm(support, pose), axes, ..Self::default() }
+    }
+
     /// The normal of its plane.
     pub(in crate::spatial) fn up(&self) -> Vec3 {
         self.axes[2]

@@ -67,9 +67,8 @@ impl Displacement {
     pub(in crate::spatial) fn putting_down(world: &World, held: Supports, state: &State) -> Self {
         let pose = state.pose();
         let bearing = |support: usize| {
-            let axes = world.axes(support, pose).map(|axis| pose.attitude.undo(axis));
-            let drive = axes[2] * measured(world, state, None, support);
-            Bearing { arm: world.arm(support, pose), axes, drive, ..Bearing::default() }
+            let own = Bearing::smooth(world, support, pose);
+            Bearing { drive: own.up() * measured(world, state, None, support), ..own }
         };
         let bearings: Vec<Bearing> = held.iter().map(bearing).collect();
         let (moved, turn) = Grip { body: world.body(), bearings: &bearings }.taken_back();

@@ -91,13 +91,8 @@ impl Walker<'_> {
 
     /// A support without friction that has to take its velocity away.
     fn bearing(&self, support: usize) -> Bearing {
-        let (pose, attitude) = (self.state.pose(), self.state.attitude);
-        Bearing {
-            arm: self.world.arm(support, pose),
-            axes: self.world.axes(support, pose).map(|axis| attitude.undo(axis)),
-            drive: attitude.undo(self.velocity_of(support)),
-            ..Bearing::default()
-        }
+        let drive = self.state.attitude.undo(self.velocity_of(support));
+        Bearing { drive, ..Bearing::smooth(self.world, support, self.state.pose()) }
     }
 
     /// The state in which none of these supports moves along the normal, where a series of impacts with friction comes to its limit.
