@@ -27,8 +27,12 @@ impl Walker<'_> {
     /// A body that is held at three places of one plane turns about the normal of that plane alone: its points there, its edges there and those of the plate stay on it. One that is held
     /// at two places of an edge keeps this edge on the plane, and where it crosses edges of the plate they meet.
     pub(super) fn flush(&self) -> Marks {
+        self.flush_with(self.mode.held(self.world))
+    }
+
+    /// The same where these are held.
+    pub(super) fn flush_with(&self, held: Supports) -> Marks {
         let (world, pose) = (self.world, self.state.pose());
-        let held = self.mode.held(world);
         if held.len() < 2 || world.body().rounding().is_none() {
             return Marks::default();
         }
