@@ -77,6 +77,26 @@ fn a_box_rests_in_a_groove_up_to_the_slope_that_flanks_hold() {
     assert_eq!((narrow.outcome, narrow.end_time), (Outcome::Stuck, 0.0));
 }
 
+/// One corner sticks in the bottom while the box turns about it, until friction cannot hold it there: it slides on, and lies along the groove.
+#[test]
+fn a_box_that_starts_askew_turns_into_the_groove() {
+    for degrees in [-20.0_f64, -10.0, 5.0, 10.0, 15.0, 20.0] {
+        let mut feeder = groove(0.5 * PI, 0.35, 0.2);
+        feeder.part = examples::block(Vec3::new(0.03, 0.012, 0.012), 0.034);
+        feeder.start.turn = degrees.to_radians();
+        let run = feeder.run().unwrap();
+        assert_eq!(run.outcome, Outcome::Delivered, "{degrees}°");
+        let long = run
+            .samples
+            .pieces
+            .iter()
+            .max_by(|a, b| (a.end_time - a.start_time).total_cmp(&(b.end_time - b.start_time)));
+        let along = long.unwrap().end.attitude.apply(Vec3::X);
+        let down = Vec3::new(cos(0.35), -sin(0.35), 0.0);
+        assert!(along.cross(down).norm() < 1e-9, "{degrees}°: {along:?}");
+    }
+}
+
 /// Rolled by half of its right angle it is a level plate with a wall along one side. They are compared until the part strikes the plate below: there two of its corners strike at once, or not.
 #[test]
 fn a_right_groove_on_its_side_is_a_plate_beside_a_wall() {

@@ -236,18 +236,25 @@ impl<const N: usize> Answer<N> {
     pub fn preferred(&self, present: Option<&[Mode; N]>, preference: Preference) -> Option<&Solution<N>> {
         let keeps =
             |s: &&Solution<N>| present.is_some_and(|p| (0..N).all(|i| goes_on(p[i], s.guess[i].mode)));
+        let kept = self.iter().find(keeps);
+        kept.or_else(|| self.best(preference, |_| true))
+    }
+
+    /// The preferred solution among those in which contacts do not all do what they do at `present`.
+    pub fn another(&self, present: &[Mode; N], preference: Preference) -> Option<&Solution<N>> {
+        self.best(preference, |s| (0..N).any(|i| !goes_on(present[i], s.guess[i].mode)))
+    }
+
+    fn best(&self, preference: Preference, counts: impl Fn(&Solution<N>) -> bool) -> Option<&Solution<N>> {
         let count = |s: &Solution<N>, of: fn(&Guess) -> bool| s.guess.iter().filter(|g| of(g)).count();
         let rank = |s: &Solution<N>| match preference {
             Preference::MostOpen => (count(s, |g| g.mode == Mode::Open), count(s, |g| g.slides())),
             Preference::MostKept => (count(s, |g| g.holds), count(s, |g| g.mode == Mode::Sticks)),
         };
-        let kept = self.iter().find(keeps);
-        kept.or_else(|| {
-            let most = self.iter().map(rank).max()?;
-            let equals = || self.iter().filter(|s| rank(s) == most);
-            let shortest = equals().map(Solution::length).fold(f64::INFINITY, f64::min);
-            equals().filter(|s| s.length() <= (1.0 + SAME_LENGTH) * shortest).last()
-        })
+        let most = self.iter().filter(|s| counts(s)).map(rank).max()?;
+        let equals = || self.iter().filter(|s| counts(s) && rank(s) == most);
+        let shortest = equals().map(Solution::length).fold(f64::INFINITY, f64::min);
+        equals().filter(|s| s.length() <= (1.0 + SAME_LENGTH) * shortest).last()
     }
 }
 

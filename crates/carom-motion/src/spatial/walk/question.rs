@@ -22,6 +22,15 @@ pub(super) struct Carries {
     pub(super) leads: Vec<(usize, Vec3)>,
 }
 
+/// Which of the ways on that are consistent.
+#[derive(Clone, Copy)]
+enum Wanted {
+    /// What goes on as it does where that is one, else as the choice says.
+    Preferred,
+    /// One that does not go on as it does.
+    Another,
+}
+
 impl Walker<'_> {
     /// Accelerations of supports of the free body, body axes.
     fn free_accelerations(&self, asked: Supports) -> Vec<Vec3> {
@@ -36,6 +45,15 @@ impl Walker<'_> {
     }
 
     pub(super) fn ask_rough(&self, asked: Supports) -> Result<(Conclusion, Option<Carries>), MotionError> {
+        self.ask_for(asked, Wanted::Preferred)
+    }
+
+    /// A consistent way on in which supports do not all do what they do; `None` where there is none.
+    pub(super) fn ask_for_another(&self, asked: Supports) -> Result<Option<Carries>, MotionError> {
+        Ok(self.ask_for(asked, Wanted::Another)?.1)
+    }
+
+    fn ask_for(&self, asked: Supports, wanted: Wanted) -> Result<(Conclusion, Option<Carries>), MotionError> {
         let asked = self.askable(asked);
         let at_rest = asked.iter().all(|i| self.slip_of(i) == Vec3::ZERO);
         // What lies between the ends of an edge at rest adds nothing to what they can hold.
@@ -46,10 +64,10 @@ impl Walker<'_> {
             _ => asked,
         };
         match asked.len() {
-            0..=2 => self.ask_rough_sized::<2>(asked),
-            3..=4 => self.ask_rough_sized::<4>(asked),
-            5..=8 => self.ask_rough_sized::<8>(asked),
-            9..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked),
+            0..=2 => self.ask_rough_sized::<2>(asked, wanted),
+            3..=4 => self.ask_rough_sized::<4>(asked, wanted),
+            5..=8 => self.ask_rough_sized::<8>(asked, wanted),
+            9..=MOST_BEARING => self.ask_rough_sized::<MOST_BEARING>(asked, wanted),
             count => Err(MotionError::TooManyTouching { time: self.time, count, most: MOST_BEARING }),
         }
     }
@@ -66,6 +84,7 @@ impl Walker<'_> {
     fn ask_rough_sized<const N: usize>(
         &self,
         asked: Supports,
+        wanted: Wanted,
     ) -> Result<(Conclusion, Option<Carries>), MotionError> {
         let refused = |error| MotionError::Impact { time: self.time, error };
         let set = contacts_of::<N>(self.world, &self.state, asked).map_err(refused)?;
@@ -88,8 +107,15 @@ impl Walker<'_> {
         };
         let answer = problem.solve_first();
         let conclusion = answer.count.conclusion();
-        let present = (self.options.choice != Choice::KeepFewest).then_some(&present);
-        let Some(chosen) = answer.preferred(present, self.options.choice.preference()) else {
+        let preference = self.options.choice.preference();
+        let chosen = match wanted {
+            Wanted::Preferred => {
+                let present = (self.options.choice != Choice::KeepFewest).then_some(&present);
+                answer.preferred(present, preference)
+            }
+            Wanted::Another => answer.another(&present, preference),
+        };
+        let Some(chosen) = chosen else {
             return Ok((conclusion, None));
         };
         let mut carries = Carries::default();

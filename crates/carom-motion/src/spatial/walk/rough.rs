@@ -169,7 +169,11 @@ impl<'w> Walker<'w> {
             // The law lets them go on, with other shares than equal springs have: the one that these would have pull is let go.
             (None, None) => match self.pulls()? {
                 Some(one) => self.hold_rough(held, Some(one)),
-                None => self.strike_unapproached(held),
+                // What holds now is about to end, and another way on is consistent beside it.
+                None => match self.ask_for_another(held)? {
+                    Some(carries) => self.enter(carries, held),
+                    None => self.strike_unapproached(held),
+                },
             },
         }
     }
