@@ -9,6 +9,7 @@ pub(in crate::spatial) mod hull;
 pub(in crate::spatial) mod named;
 pub(in crate::spatial) mod nearest;
 pub(in crate::spatial) mod obstacle;
+pub(in crate::spatial) mod overlap;
 pub(in crate::spatial) mod pair;
 pub(in crate::spatial) mod plane;
 pub(in crate::spatial) mod polyhedron;
