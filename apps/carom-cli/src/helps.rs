@@ -49,7 +49,8 @@ Boundaries between outcomes are located by bisection of whole runs, not drawn th
 /// What a search for the interval of a feed does, for those who have seen none yet.
 pub(crate) const FEED_HELP: &str = "\
 Parts are fed one after another, as [feed] in the scene says, or three of them, at every interval that may matter.
-Each is followed until it has left the last plate or rests: a part that has landed is in the way of the next until it is gone.";
+Each is followed until it has left the last plate or rests: a part that has landed is in the way of the next until it is gone.
+Of solid parts one is followed alone, and its way says when the next would touch it: what parts do that touch is not followed.";
 
 /// What a fit reads and finds, for those who have seen none yet.
 pub(crate) const FIT_HELP: &str = "\

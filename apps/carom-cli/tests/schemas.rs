@@ -149,7 +149,8 @@ results! {
         ["designer.toml", "--scan", "64", "--samples", "256"];
     feeds_are_as_their_schema: "feed",
         ["case_1.toml", "--intervals", "16"],
-        ["too_flat.toml", "--intervals", "16"];
+        ["too_flat.toml", "--intervals", "16"],
+        ["solid.toml", "--intervals", "16"];
     sweeps_are_as_their_schema: "sweep",
         ["designer.toml", "--grid", "plate.1.slope=5..40 deg:6", "--force"];
     yields_are_as_their_schema: "yield",

@@ -222,6 +222,20 @@ fn the_interval_of_a_feed_is_the_same_on_any_number_of_threads_and_replays() {
 }
 
 #[test]
+fn solid_parts_are_fed_until_they_touch() {
+    let words = ["feed", "solid.toml", "--intervals", "24", "--format", "json"];
+    let found = result(&carom(&words, "feed_solid", "1"));
+    assert_eq!(found, result(&carom(&words, "feed_solid_three", "3")));
+    let smallest = &found["smallest"];
+    assert_eq!((&smallest["below"], &smallest["limited_by"]), (&"touch".into(), &"lower".into()));
+    let [free, own] = [&smallest["interval_s"], &found["own_meeting"]["low_s"]].map(|x| x.as_f64().unwrap());
+    assert!(free - own < 2e-6, "{free} {own}");
+    assert!(found["parts"].is_null() && found["saved"].as_array().unwrap().is_empty());
+    let said = carom(&["feed", "solid.toml", "--parts", "2"], "feed_solid_parts", "1");
+    assert!(said.code != 0 && said.err.contains("--parts: 2 is not taken"), "{}", said.err);
+}
+
+#[test]
 fn what_is_wrong_with_a_feed_is_said_at_once() {
     let words = ["feed", "zigzag.toml", "--intervals", "3", "--parts", "1", "--accuracy", "0"];
     let said = carom(&words, "bad", "1");

@@ -10,8 +10,8 @@ use carom::tasks::feeds::{FeedAsked, FeedStudy};
 use carom::tasks::fits::{FitAsked, FitStudy};
 use carom::tasks::map::{MapAsked, MapStudy};
 use carom::tasks::regions::{RegionsAsked, RegionsOf, RegionsStudy, RegionsSubject};
-use carom_scene::Drawn;
 use carom_scene::columns::ColumnsError;
+use carom_scene::{AnyScene, Drawn, StudyRunReport};
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -129,12 +129,30 @@ pub(crate) fn feed(
     accuracy: f64,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Answer> {
-    let scene = scene.planar(py, "feed()")?;
     let feed = FeedAsked { parts, intervals, accuracy, asker: Asker::Call };
-    let (study, threads, begun) = asked(py, progress, |step| FeedStudy::searched(scene, &feed, step))?;
-    let mut files = named(study.scenes().map_err(|error| refused(py, &error))?);
+    match &scene.inner {
+        AnyScene::Plane(scene) => {
+            let (study, threads, begun) =
+                asked(py, progress, |step| FeedStudy::searched(scene, &feed, step))?;
+            let scenes = study.scenes().map_err(|error| refused(py, &error))?;
+            fed(&study, scenes, spent(study.drops(), begun, threads))
+        }
+        AnyScene::Space(scene) => {
+            let search = |step| FeedStudy::searched_solid(scene, &feed, step);
+            let (study, threads, begun) = asked(py, progress, search)?;
+            fed(&study, vec![], spent(study.drops(), begun, threads))
+        }
+    }
+}
+
+fn fed(
+    study: &FeedStudy<'_, impl Drawn>,
+    scenes: Vec<(&'static str, String)>,
+    run: StudyRunReport,
+) -> PyResult<Answer> {
+    let mut files = named(scenes);
     files.extend(named([("feed.svg", study.svg()), ("feed.csv", study.csv())]));
-    Ok((pretty(&study.summary(spent(study.drops(), begun, threads)))?, files))
+    Ok((pretty(&study.summary(run))?, files))
 }
 
 /// What is asked of a fit, as Python gives it.

@@ -59,7 +59,7 @@ def test_every_example(path: Path, command: Path, tmp_path: Path) -> None:
 def test_a_solid_part_is_refused_by_name_where_it_is_not_followed() -> None:
     scene = carom.Scene.read(SOLID)
     assert scene.is_solid and scene.set({"start.turn": "3 deg"})["start.turn"].value == pytest.approx(np.deg2rad(3))
-    for asked in (lambda: carom.feed(scene), lambda: carom.fit(scene, {"outcome": ["turned"]}), scene.simulators):
+    for asked in (lambda: carom.fit(scene, {"outcome": ["turned"]}), scene.simulators):
         with pytest.raises(carom.CaromError, match="is a solid"):
             asked()
 
@@ -166,6 +166,10 @@ STUDIES: dict[str, tuple[list[str], Callable[[], Answer]]] = {
     "feed": (
         ["feed", "examples/feed_closely.toml", "--parts", "2", "--intervals", "16"],
         lambda: carom.feed("examples/feed_closely.toml", parts=2, intervals=16),
+    ),
+    "feed of a solid part": (
+        ["feed", SOLID, "--intervals", "16"],
+        lambda: carom.feed(SOLID, intervals=16),
     ),
     "fit": (
         ["fit", "examples/measured.toml", "examples/measured.csv", "--samples", "64", "--nodes", "200"],

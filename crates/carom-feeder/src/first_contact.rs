@@ -1,7 +1,8 @@
 //! Where two parts of a feed come in each other's way first, and what they were doing.
 
-use crate::feed::{FedPart, FeedRun};
-use crate::run::{Outcome, StageName};
+use crate::feed::FeedRun;
+use crate::run::{Outcome, Stage, StageName};
+use carom_motion::planar::trace::Impact;
 
 /// What a part is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,25 +42,36 @@ impl FeedRun {
             (Some(touch), Some(blocked)) => first(touch, blocked),
             (touch, blocked) => touch.or(blocked)?,
         };
-        let doing = parts.map(|number| doing(&self.parts[number], time, fixed));
+        let doing = parts.map(|number| {
+            let run = &self.parts[number].run;
+            let struck = |impact: &Impact| Some((impact.time, impact.contacts.first()?.obstacle));
+            Doing::until(time, &run.stages, run.trace.impacts.iter().filter_map(struck), fixed)
+        });
         Some(FirstContact { parts, time, doing, blocked })
     }
 }
 
-/// What a part was doing until a time: its last stage that began before; in flight, what it left or struck last.
-fn doing(part: &FedPart, time: f64, fixed: usize) -> Doing {
-    let (mut doing, own) = (Doing { stage: None, obstacle: 0 }, |o: &usize| *o < fixed);
-    let mut left = f64::NEG_INFINITY;
-    for stage in part.run.stages.iter().take_while(|stage| stage.start_time < time) {
-        doing.stage = Some(stage.name);
-        if let Some(obstacle) = stage.obstacle.filter(own) {
-            (doing.obstacle, left) = (obstacle, stage.end_time);
+impl Doing {
+    /// What a part was doing until a time: its last stage that began before; in flight, what it left or struck last. `strikes` are the times and the obstacles of its impacts, in order, and
+    /// `fixed` is the number of plates and walls.
+    pub(crate) fn until<S, F>(
+        time: f64,
+        stages: &[Stage<S, F>],
+        strikes: impl Iterator<Item = (f64, usize)>,
+        fixed: usize,
+    ) -> Self {
+        let (mut doing, own) = (Self { stage: None, obstacle: 0 }, |o: &usize| *o < fixed);
+        let mut left = f64::NEG_INFINITY;
+        for stage in stages.iter().take_while(|stage| stage.start_time < time) {
+            doing.stage = Some(stage.name);
+            if let Some(obstacle) = stage.obstacle.filter(own) {
+                (doing.obstacle, left) = (obstacle, stage.end_time);
+            }
         }
+        let struck = strikes.take_while(|(at, _)| *at < time).filter(|(at, _)| *at >= left);
+        if let Some(obstacle) = struck.map(|(_, obstacle)| obstacle).filter(own).last() {
+            doing.obstacle = obstacle;
+        }
+        doing
     }
-    let struck = part.run.trace.impacts.iter().take_while(|impact| impact.time < time);
-    let struck = struck.filter(|impact| impact.time >= left);
-    if let Some(obstacle) = struck.filter_map(|i| i.contacts.first().map(|c| c.obstacle).filter(own)).last() {
-        doing.obstacle = obstacle;
-    }
-    doing
 }

@@ -3,11 +3,11 @@
 use crate::approximation::Approximation;
 use crate::map_report::StudyRunReport;
 use crate::word::{EndingWord, Word};
-use carom_feeder::{Doing, Feeder};
-use carom_feeder::{Outcome, StageName};
+use carom_feeder::{Doing, Outcome, StageName};
 use carom_study::feeds::Kind;
 use carom_study::feeds::{End, Happens, Meets};
 use carom_study::stretches::Stretch;
+use carom_words::part::Names;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -49,12 +49,12 @@ pub struct FeedStretchReport {
     pub from_s: f64,
     /// The longest interval of them that was followed [s].
     pub to_s: f64,
-    /// no_touch, as_wanted (parts touch, and all end as wanted), otherwise (one at least does not), blocked (a part cannot start) or unresolved
-    /// (more meet at once than is resolved).
+    /// no_touch, as_wanted (parts touch, and all end as wanted), otherwise (one at least does not), touch (solid parts touch, and are not followed on), blocked (a part cannot start) or
+    /// unresolved (more meet at once than is resolved).
     pub what: Word<Kind>,
     /// How parts are first in each other's way; null where none is.
     pub first: Option<FeedMeetingReport>,
-    /// What becomes of each part.
+    /// What becomes of each part. Of solid parts that do not touch what becomes of one, as of all; of those that touch it is not followed, and the list is empty.
     pub parts: Vec<FeedEndReport>,
 }
 
@@ -116,12 +116,12 @@ pub struct FeedStudyReport {
     /// How the computed part differs from the drawn one; absent where it does not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub approximations: Vec<Approximation>,
-    /// Number of parts that are fed.
-    pub parts: usize,
-    /// Friction coefficient between parts.
-    pub friction: f64,
-    /// Coefficient of restitution between parts.
-    pub restitution: f64,
+    /// Number of parts that are fed; null of solid parts: what is said is so for any number.
+    pub parts: Option<usize>,
+    /// Friction coefficient between parts; null of solid parts, which are followed until they touch.
+    pub friction: Option<f64>,
+    /// Coefficient of restitution between parts; null of solid parts.
+    pub restitution: Option<f64>,
     /// What is wanted: as the scene says, or as one part alone ends.
     pub wanted: String,
     /// How finely changes are located [s].
@@ -140,7 +140,7 @@ pub struct FeedStudyReport {
     pub unresolved_s: f64,
     /// Scenes that were saved.
     pub saved: Vec<SavedFeedReport>,
-    /// Feeds that were followed.
+    /// Feeds that were followed; of solid parts one part alone.
     pub feeds: usize,
     /// What it took; a drop is one part of one feed.
     pub run: StudyRunReport,
@@ -148,10 +148,10 @@ pub struct FeedStudyReport {
 
 impl FeedMeetingReport {
     /// Of a meeting on this feeder.
-    pub fn new(feeder: &Feeder, meets: &Meets) -> Self {
+    pub fn new(feeder: &impl Names, meets: &Meets) -> Self {
         let doing = |doing: Doing| DoingReport {
             stage: doing.stage.map(Word),
-            plate: feeder.obstacle_name(doing.obstacle).to_owned(),
+            plate: feeder.given(doing.obstacle).to_owned(),
         };
         Self {
             parts: meets.parts.map(|part| part + 1),
@@ -163,7 +163,7 @@ impl FeedMeetingReport {
 
 impl FeedStretchReport {
     /// Of a stretch of intervals.
-    pub fn new(feeder: &Feeder, stretch: &Stretch<Happens>) -> Self {
+    pub fn new(feeder: &impl Names, stretch: &Stretch<Happens>) -> Self {
         let end = |end: &End| FeedEndReport {
             ending: EndingWord(end.ending),
             outcome: Word(end.outcome),

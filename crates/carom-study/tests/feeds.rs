@@ -11,7 +11,7 @@ use carom_num::Vec2;
 use carom_study::feeds::{Feeds, FeedsError, Kind, Plan, followed, longest_meeting, search};
 use rayon::prelude::*;
 
-const BETWEEN: Surface = Surface { friction: 0.2, restitution: 0.2 };
+pub(crate) const BETWEEN: Surface = Surface { friction: 0.2, restitution: 0.2 };
 
 /// Uphill end and free edge of a plate.
 fn ends(left: bool, degrees: f64, edge: Vec2, length: f64) -> (Vec2, Vec2) {
@@ -21,7 +21,7 @@ fn ends(left: bool, degrees: f64, edge: Vec2, length: f64) -> (Vec2, Vec2) {
 }
 
 /// A box that slides down one plate and drops on another that leads back; parts follow each other closest on the lower one.
-fn back_and_forth(lower: f64, friction: f64) -> Feeder {
+pub(crate) fn back_and_forth(lower: f64, friction: f64) -> Feeder {
     let plate = |name: &str, (uphill, edge): (Vec2, Vec2), friction: f64| Plate {
         name: name.into(),
         uphill,

@@ -5,6 +5,7 @@
 mod cells;
 mod corner;
 mod feeds;
+mod feeds_solid;
 mod fits;
 mod located;
 mod paper;

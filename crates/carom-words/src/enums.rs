@@ -119,6 +119,7 @@ words! {
         Free = "no_touch",
         Harmless = "as_wanted",
         Harmful = "otherwise",
+        Touching = "touch",
         Blocked = "blocked",
         Unresolved = "unresolved",
     }

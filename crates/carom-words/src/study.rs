@@ -108,6 +108,7 @@ pub fn feed(kind: feeds::Kind) -> &'static str {
         feeds::Kind::Free => "no touch",
         feeds::Kind::Harmless => "touch, all end as wanted",
         feeds::Kind::Harmful => "touch, a part ends otherwise",
+        feeds::Kind::Touching => "touch, not followed on",
         feeds::Kind::Blocked => "a part cannot start",
         feeds::Kind::Unresolved => "not resolved",
     }

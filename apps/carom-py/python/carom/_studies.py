@@ -125,6 +125,7 @@ def feed(
 
     ``parts`` are fed, as the scene's ``[feed]`` says or 3; ``intervals`` are looked at first, and changes located to ``accuracy`` [s].
     :attr:`Answer.files` holds the picture, the table, and scenes of the longest interval with a touch and of the smallest without.
+    Solid parts are followed until they touch: what is said is so for any number of them, and no scene is saved.
 
     Raises :class:`CaromError` with every problem of the scene; KeyboardInterrupt within a moment of ctrl-C.
 

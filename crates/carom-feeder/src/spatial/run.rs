@@ -1,5 +1,6 @@
 //! What a run of a feeder in space says.
 
+use crate::first_contact::Doing;
 use crate::run::{Effort, Jam, Landing, Outcome, Stage};
 use carom_motion::spatial::{Closing, Impact, Samples, State, Touch};
 
@@ -62,5 +63,11 @@ impl Run {
     pub fn deciding_strike(&self) -> Option<usize> {
         let landing = self.final_landing()?;
         self.struck.iter().position(|owner| *owner == landing.plate)
+    }
+
+    /// What the part was doing until a time [s]: its last stage that began before; in flight, the plate or wall that it left or struck last.
+    pub fn doing_until(&self, time: f64) -> Doing {
+        let strikes = self.impacts.iter().map(|impact| impact.time).zip(self.struck.iter().copied());
+        Doing::until(time, &self.stages, strikes, usize::MAX)
     }
 }

@@ -51,7 +51,7 @@ pub(super) static SPACE_ROOT: Table = Table {
         Foreign {
             keys: &["feed"],
             kind: ProblemKind::Unsupported,
-            message: "is for parts that move in the plane: a solid part is followed alone, through the feeder that is drawn",
+            message: "is for parts that move in the plane: a solid part is followed alone; `carom feed` says how closely others may follow it",
             help: "",
         },
     ],

@@ -50,11 +50,13 @@ pub struct Smallest {
 /// assert!(found.stretches.iter().all(|piece| piece.label.is_free() == (piece.first > 0.2 - 1e-4)));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Feeds {
+pub struct Feeds<R = Run> {
     /// The run of one part, followed until it has left the feeder or rests; with its trace.
-    pub alone: Run,
+    pub alone: R,
     /// How it ends on the last plate.
     pub ending: Ending,
+    /// The plate or wall on which it comes to rest, plates first; `None` where it leaves the feeder.
+    pub rests_on: Option<usize>,
     /// The longest interval at which its way meets itself; `None` where it comes to rest, and its way never ends.
     pub longest: Option<Longest>,
     /// The smallest interval above which parts do not touch; `None` where they touch at the longest one that was asked.
@@ -67,7 +69,7 @@ pub struct Feeds {
     pub runs: usize,
 }
 
-impl Feeds {
+impl<R> Feeds<R> {
     /// True where parts come to rest on the feeder and are in the way of every later one.
     pub fn piles_up(&self) -> bool {
         self.longest.is_none() && self.smallest.is_none()

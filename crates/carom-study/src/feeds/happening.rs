@@ -58,7 +58,7 @@ pub struct End {
 pub struct Happens {
     /// How parts are first in each other's way; `None` where none is.
     pub meets: Option<Meets>,
-    /// What becomes of each part.
+    /// What becomes of each part; none where solid parts touch, which are not followed on.
     pub ends: Vec<End>,
     /// True where the feed was broken off.
     pub broken_off: bool,
@@ -84,6 +84,8 @@ pub enum Kind {
     Harmless,
     /// Parts touch, and one at least ends otherwise.
     Harmful,
+    /// Solid parts touch; they are not followed on.
+    Touching,
     /// A part finds its place taken and does not start.
     Blocked,
     /// More parts or contacts meet at once than are resolved, or a budget ran out.
@@ -108,8 +110,10 @@ impl Happens {
             Kind::Unresolved
         } else if self.meets.is_none() {
             Kind::Free
-        } else if any(Outcome::Blocked) {
+        } else if any(Outcome::Blocked) || self.meets.is_some_and(|meets| meets.blocked) {
             Kind::Blocked
+        } else if self.ends.is_empty() {
+            Kind::Touching
         } else if self.ends.iter().all(|end| end.as_wanted) {
             Kind::Harmless
         } else {

@@ -11,17 +11,24 @@
 //! Every part is followed until it has left the last plate or rests, whatever the feeder stops at: a part that has landed is in the way of the
 //! next until it is gone. Where a part alone comes to rest, later ones pile up behind it at every interval.
 //!
+//! Of solid parts [`search_solid`] goes the first way alone, interval by interval: whether the way of one part meets itself that much later says whether parts touch. What parts that touch
+//! do is not followed.
+//!
 //! # Limits
 //! Parts are identical, so parts that do not touch all do what one does. The first way sees the motion between samples as cubics: of swings
 //! it is as exact as these. The second sees single intervals: what happens on a stretch shorter than the distance of two nodes may be missed.
 
 mod found;
 mod happening;
+mod in_plane;
+mod in_space;
 mod path;
+mod solid;
 
 pub use found::{Feeds, Smallest};
 pub use happening::{End, Happens, Kind, Meets};
 pub use path::{Longest, longest_meeting};
+pub use solid::search_solid;
 
 use crate::ending::Ending;
 use crate::stretches::{self, Stretches};
@@ -172,7 +179,10 @@ fn searched(
     wanted: &(dyn Fn(&Run) -> Option<bool> + Sync),
     step: &(dyn Fn() + Sync),
 ) -> Result<Feeds, FeedsError> {
-    plan.check(feed)?;
+    plan.check()?;
+    if feed.parts < 2 {
+        return Err(FeedsError::Parts { parts: feed.parts });
+    }
     let feeder = followed(feeder);
     let prepared = feeder.prepare(planar::Options::default()).map_err(refused)?;
     let one = prepared.feed(&Feed { parts: 1, interval: 1.0, ..*feed }).map_err(refused)?;
@@ -197,13 +207,7 @@ fn searched(
             Err(_) => Happens { meets: None, ends: vec![], broken_off: true },
         }
     };
-    let leaves = match alone.outcome {
-        Outcome::Delivered | Outcome::Escaped | Outcome::Missed => true,
-        Outcome::Stuck | Outcome::OnEnd | Outcome::Jammed | Outcome::Landed => false,
-        Outcome::NeverFlat | Outcome::Unresolved | Outcome::Blocked => {
-            return Err(FeedsError::Alone(alone.outcome));
-        }
-    };
+    let leaves = leaves(alone.outcome)?;
     let shape = &feeder.part.body.shape;
     let longest = leaves.then(|| longest_meeting(shape, &alone, 0.1 * plan.accuracy));
     let nodes = plan.intervals(longest.as_ref(), alone.end_time);
@@ -212,7 +216,17 @@ fn searched(
     let smallest = smallest(&found);
     let runs = found.evaluations + 1;
     let unresolved = found.unresolved;
-    Ok(Feeds { alone, ending, longest, smallest, stretches: found.pieces, unresolved, runs })
+    let rests_on = alone.stages.last().and_then(|stage| stage.obstacle).filter(|_| !leaves);
+    Ok(Feeds { alone, ending, rests_on, longest, smallest, stretches: found.pieces, unresolved, runs })
+}
+
+/// Whether a part that ends so has left the feeder, or rests on it.
+fn leaves(outcome: Outcome) -> Result<bool, FeedsError> {
+    match outcome {
+        Outcome::Delivered | Outcome::Escaped | Outcome::Missed => Ok(true),
+        Outcome::Stuck | Outcome::OnEnd | Outcome::Jammed | Outcome::Landed => Ok(false),
+        Outcome::NeverFlat | Outcome::Unresolved | Outcome::Blocked => Err(FeedsError::Alone(outcome)),
+    }
 }
 
 /// The last change to no touch; `None` where the longest interval is not free of it.
@@ -236,14 +250,14 @@ fn refused(error: RunError) -> FeedsError {
 }
 
 impl Plan {
-    fn check(&self, feed: &Feed) -> Result<(), FeedsError> {
+    fn check(&self) -> Result<(), FeedsError> {
         if !(16..=MOST_NODES).contains(&self.nodes) {
             return Err(FeedsError::Nodes { nodes: self.nodes });
         }
         if !(LEAST_FEEDS_ACCURACY..=0.1).contains(&self.accuracy) {
             return Err(FeedsError::Accuracy { accuracy: self.accuracy });
         }
-        if feed.parts < 2 { Err(FeedsError::Parts { parts: feed.parts }) } else { Ok(()) }
+        Ok(())
     }
 
     /// The intervals that are asked: all over the range, ever closer to the longest one at which the way meets itself, and a few beyond.

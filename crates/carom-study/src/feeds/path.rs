@@ -6,9 +6,7 @@
 
 use crate::tolerance::POSES_TOUCH;
 use carom_feeder::Run;
-use carom_motion::planar::trace::Trace;
-use carom_motion::planar::{Pose, Shape, State};
-use carom_num::Vec2;
+use carom_motion::planar::Shape;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -43,24 +41,58 @@ pub struct Longest {
 /// assert!(longest.low < 0.2 + 1e-6 && 0.2 - 1e-6 < longest.high);
 /// ```
 pub fn longest_meeting(shape: &Shape, run: &Run, accuracy: f64) -> Longest {
-    let way = Way::of(shape, &run.trace);
-    way.search(accuracy)
+    let pieces = run.trace.pieces.iter().map(|piece| {
+        let inner = piece.samples.iter().map(|sample| (sample.time, sample.state));
+        std::iter::once((piece.start_time, piece.start)).chain(inner).chain([(piece.end_time, piece.end)])
+    });
+    let nowhere = Longest { low: 0.0, high: 0.0, boxes: 0 };
+    Way::of(shape, pieces, true).map_or(nowhere, |way| way.search(accuracy))
+}
+
+/// A part of which it is known how it stands between two samples of its motion, and how far it is from where it is at another time.
+pub(super) trait Passes {
+    /// A sample.
+    type State: Copy;
+    /// How it stands.
+    type Pose;
+
+    /// No place of it is farther from its centre [m].
+    fn size(&self) -> f64;
+
+    /// How it stands at a fraction of the time between two samples.
+    fn pose(&self, leg: &Leg<Self::State>, fraction: f64) -> Self::Pose;
+
+    /// No place of it is faster between two samples that are so long apart [m/s].
+    fn speed(&self, ends: &[Self::State; 2], lasts: f64) -> f64;
+
+    /// How far apart two of it are at least [m]; negative, or zero, where they overlap, and only there.
+    fn distance(&self, a: &Self::Pose, b: &Self::Pose) -> f64;
 }
 
 /// A cubic between two samples.
 #[derive(Clone, Copy, Debug)]
-struct Leg {
+pub(super) struct Leg<S> {
     from: f64,
     to: f64,
-    ends: [State; 2],
+    pub(super) ends: [S; 2],
     /// No point of the part is faster [m/s].
     speed: f64,
 }
 
+impl<S> Leg<S> {
+    /// How long it lasts [s].
+    pub(super) fn lasts(&self) -> f64 {
+        self.to - self.from
+    }
+}
+
 /// What a part does from its start to its end.
-struct Way<'s> {
-    shape: &'s Shape,
-    legs: Vec<Leg>,
+pub(super) struct Way<'s, P: Passes> {
+    part: &'s P,
+    /// One at least.
+    legs: Vec<Leg<P::State>>,
+    /// At its end the part is gone; else it rests there.
+    gone: bool,
 }
 
 /// Times s from the part's start, by intervals T.
@@ -97,21 +129,27 @@ impl Ord for Box2 {
     }
 }
 
-impl<'s> Way<'s> {
-    fn of(shape: &'s Shape, trace: &Trace) -> Self {
-        let reach = shape.size();
-        let mut legs: Vec<Leg> = vec![];
-        for piece in &trace.pieces {
-            let inner = piece.samples.iter().map(|sample| (sample.time, sample.state));
-            let mut known = (piece.start_time, piece.start);
-            for next in inner.chain([(piece.end_time, piece.end)]) {
-                if next.0 > known.0 {
-                    legs.push(Leg::between(known, next, reach));
+impl<'s, P: Passes> Way<'s, P> {
+    /// The way through these samples, of which some may be at one time; `None` where all are.
+    pub(super) fn of<I: Iterator<Item = (f64, P::State)>>(
+        part: &'s P,
+        pieces: impl Iterator<Item = I>,
+        gone: bool,
+    ) -> Option<Self> {
+        let mut legs: Vec<Leg<P::State>> = vec![];
+        for piece in pieces {
+            let mut known = None;
+            for next in piece {
+                if let Some((from, a)) = known
+                    && next.0 > from
+                {
+                    let (to, ends) = (next.0, [a, next.1]);
+                    legs.push(Leg { from, to, ends, speed: part.speed(&ends, to - from) });
                 }
-                known = next;
+                known = Some(next);
             }
         }
-        Self { shape, legs }
+        (!legs.is_empty()).then_some(Self { part, legs, gone })
     }
 
     fn end(&self) -> f64 {
@@ -119,24 +157,29 @@ impl<'s> Way<'s> {
     }
 
     fn leg_at(&self, time: f64) -> usize {
-        self.legs.partition_point(|leg| leg.to < time).min(self.legs.len().saturating_sub(1))
+        self.legs.partition_point(|leg| leg.to < time).min(self.legs.len() - 1)
     }
 
-    fn pose(&self, time: f64) -> Pose {
-        self.legs.get(self.leg_at(time)).map_or_else(Pose::default, |leg| leg.pose(time))
+    /// How the part stands; from its end on as it did then.
+    pub(super) fn pose(&self, time: f64) -> P::Pose {
+        let leg = &self.legs[self.leg_at(time)];
+        self.part.pose(leg, ((time - leg.from) / leg.lasts()).clamp(0.0, 1.0))
     }
 
     /// No point of the part is faster between these times [m/s].
     fn speed(&self, from: f64, to: f64) -> f64 {
+        if from >= self.end() {
+            return 0.0;
+        }
         let legs = self.legs[self.leg_at(from)..].iter().take_while(|leg| leg.from <= to);
         legs.map(|leg| leg.speed).fold(0.0, f64::max)
     }
 
-    fn search(&self, accuracy: f64) -> Longest {
+    pub(super) fn search(&self, accuracy: f64) -> Longest {
         let end = self.end();
         let mut found = Longest { low: 0.0, high: end, boxes: 0 };
         let mut open = BinaryHeap::from([Box2 { time: [0.0, end], interval: [0.0, end] }]);
-        let touch = POSES_TOUCH * self.shape.size();
+        let touch = POSES_TOUCH * self.part.size();
         while let Some(here) = open.pop() {
             found.high = here.interval[1];
             if found.high - found.low <= accuracy || found.boxes >= MOST_BOXES {
@@ -147,7 +190,7 @@ impl<'s> Way<'s> {
             let half = [here.time, here.interval].map(|[low, high]| 0.5 * (high - low));
             // Where a box reaches beyond the end, the part is gone.
             let (first, second) = (self.pose(time.min(end)), self.pose((time + interval).min(end)));
-            let distance = distance(self.shape, first, second);
+            let distance = self.part.distance(&first, &second);
             let early = self.speed(here.time[0], here.time[1]);
             let late = self.speed(here.time[0] + here.interval[0], here.time[1] + here.interval[1]);
             let by = [half[0] * (early + late), half[1] * late];
@@ -167,6 +210,26 @@ impl<'s> Way<'s> {
         found.high = found.low;
         found
     }
+
+    /// When after its start a part first touches the one that is this interval ahead of it [s]; `None` where it passes without.
+    pub(super) fn first_touch(&self, interval: f64) -> Option<f64> {
+        let (end, touch) = (self.end(), POSES_TOUCH * self.part.size());
+        let until = if self.gone { end - interval } else { end };
+        let mut open = vec![[0.0, until]];
+        while let Some([low, high]) = open.pop().filter(|[low, high]| high >= low) {
+            let (time, half) = (0.5 * (low + high), 0.5 * (high - low));
+            let distance = self.part.distance(&self.pose(time), &self.pose(time + interval));
+            let by = half * (self.speed(low, high) + self.speed(low + interval, high + interval));
+            if distance > by + touch {
+                continue;
+            }
+            if by <= touch || half <= f64::EPSILON * time {
+                return Some(low);
+            }
+            open.extend([[time, high], [low, time]]);
+        }
+        None
+    }
 }
 
 fn halves(whole: Box2, axis: usize, at: f64) -> [Box2; 2] {
@@ -177,67 +240,4 @@ fn halves(whole: Box2, axis: usize, at: f64) -> [Box2; 2] {
         (low.interval[1], high.interval[0]) = (at, at);
     }
     [low, high]
-}
-
-impl Leg {
-    fn between((from, a): (f64, State), (to, b): (f64, State), reach: f64) -> Self {
-        let dt = to - from;
-        // A cubic's rate is a quadratic, and lies among these three.
-        let mean = (b.pose.centre - a.pose.centre) * (3.0 / dt) - a.twist.velocity - b.twist.velocity;
-        let turn = (b.pose.angle - a.pose.angle) * (3.0 / dt) - a.twist.spin - b.twist.spin;
-        let speed = [a.twist.velocity, mean, b.twist.velocity].iter().map(|v| v.norm()).fold(0.0, f64::max);
-        let spin = [a.twist.spin, turn, b.twist.spin].iter().map(|w| w.abs()).fold(0.0, f64::max);
-        Self { from, to, ends: [a, b], speed: speed + spin * reach }
-    }
-
-    fn pose(&self, time: f64) -> Pose {
-        let dt = self.to - self.from;
-        let u = ((time - self.from) / dt).clamp(0.0, 1.0);
-        let [a, b] = &self.ends;
-        let cubic = |p: f64, q: f64, m: f64, n: f64| {
-            let (m, n) = (m * dt, n * dt);
-            (((2.0 * p + m - 2.0 * q + n) * u + 3.0 * (q - p) - 2.0 * m - n) * u + m) * u + p
-        };
-        let along = |of: fn(Vec2) -> f64| {
-            cubic(of(a.pose.centre), of(b.pose.centre), of(a.twist.velocity), of(b.twist.velocity))
-        };
-        Pose {
-            centre: Vec2::new(along(|v| v.x), along(|v| v.y)),
-            angle: cubic(a.pose.angle, b.pose.angle, a.twist.spin, b.twist.spin),
-        }
-    }
-}
-
-/// How far apart two poses of a shape are [m]; negative, or zero, where they overlap.
-fn distance(shape: &Shape, a: Pose, b: Pose) -> f64 {
-    let size = shape.size();
-    let between = (b.centre - a.centre).norm();
-    // Far apart their circles tell enough: it is no more than the distance.
-    if between > 4.0 * size {
-        return between - 2.0 * size;
-    }
-    let corners = |pose: Pose| {
-        let turn = Vec2::at_angle(pose.angle);
-        move |v: &Vec2| pose.centre + v.rotated(turn.x, turn.y)
-    };
-    let of_a: Vec<Vec2> = shape.vertices().iter().map(corners(a)).collect();
-    let of_b: Vec<Vec2> = shape.vertices().iter().map(corners(b)).collect();
-    let mut apart = f64::NEG_INFINITY;
-    let mut take = |axis: Vec2| {
-        let high = of_a.iter().map(|v| axis.dot(*v)).fold(f64::NEG_INFINITY, f64::max);
-        let low = of_b.iter().map(|v| axis.dot(*v)).fold(f64::INFINITY, f64::min);
-        apart = apart.max(low - high - 2.0 * shape.skin(0));
-    };
-    for (pose, sign) in [(a, 1.0), (b, -1.0)] {
-        let turn = Vec2::at_angle(pose.angle);
-        for face in 0..shape.faces() {
-            take(shape.face_normal(face).rotated(turn.x, turn.y) * sign);
-        }
-    }
-    for p in &of_a {
-        for q in &of_b {
-            take((*q - *p).unit().unwrap_or_default());
-        }
-    }
-    apart
 }

@@ -67,12 +67,15 @@ class FeedStretch:
     from_s: float
     """The shortest interval of them that was followed [s]."""
     parts: list[FeedEnd]
-    """What becomes of each part."""
+    """What becomes of each part. Of solid parts that do not touch what becomes of one, as of all; of those that
+    touch it is not followed, and the list is empty.
+    """
     to_s: float
     """The longest interval of them that was followed [s]."""
-    what: Literal["no_touch", "as_wanted", "otherwise", "blocked", "unresolved"]
-    """no_touch, as_wanted (parts touch, and all end as wanted), otherwise (one at least does not), blocked (a
-    part cannot start) or unresolved (more meet at once than is resolved).
+    what: Literal["no_touch", "as_wanted", "otherwise", "touch", "blocked", "unresolved"]
+    """no_touch, as_wanted (parts touch, and all end as wanted), otherwise (one at least does not), touch (solid
+    parts touch, and are not followed on), blocked (a part cannot start) or unresolved (more meet at once than
+    is resolved).
     """
 
 
@@ -104,7 +107,7 @@ class SavedFeed:
 class SmallestInterval:
     """The smallest interval above which parts do not touch."""
 
-    below: Literal["no_touch", "as_wanted", "otherwise", "blocked", "unresolved"]
+    below: Literal["no_touch", "as_wanted", "otherwise", "touch", "blocked", "unresolved"]
     """What happens at that one, as in the stretches."""
     first: FeedMeeting | None = None
     """How they touch at the longest interval at which they do."""
@@ -129,19 +132,19 @@ class Feed(Answer):
     approximations: list[Approximation] | None = None
     """How the computed part differs from the drawn one; absent where it does not."""
     feeds: int
-    """Feeds that were followed."""
-    friction: float
-    """Friction coefficient between parts."""
+    """Feeds that were followed; of solid parts one part alone."""
+    friction: float | None = None
+    """Friction coefficient between parts; null of solid parts, which are followed until they touch."""
     own_meeting: OwnMeeting | None = None
     """The longest interval at which the way of one part meets itself, found without any feed; null where it
     comes to rest.
     """
-    parts: int
-    """Number of parts that are fed."""
+    parts: int | None = None
+    """Number of parts that are fed; null of solid parts: what is said is so for any number."""
     piles_up: bool
     """True where parts come to rest on the feeder, and are in the way of later ones at every interval."""
-    restitution: float
-    """Coefficient of restitution between parts."""
+    restitution: float | None = None
+    """Coefficient of restitution between parts; null of solid parts."""
     run: StudyRun
     """What it took; a drop is one part of one feed."""
     saved: list[SavedFeed]

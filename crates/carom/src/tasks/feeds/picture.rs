@@ -3,6 +3,7 @@
 use super::{FeedStudy, report};
 use carom_feeder::Outcome;
 use carom_figure::{IntervalFill, IntervalPiece, IntervalStrips, intervals_svg};
+use carom_scene::Drawn;
 use carom_study::feeds::{End, Kind};
 use carom_words::{Words, study};
 
@@ -13,7 +14,7 @@ fn fill(kind: Kind) -> IntervalFill {
     match kind {
         Kind::Free => IntervalFill::Good,
         Kind::Harmless => IntervalFill::Fair,
-        Kind::Harmful => IntervalFill::Bad,
+        Kind::Harmful | Kind::Touching => IntervalFill::Bad,
         Kind::Blocked => IntervalFill::Blocked,
         Kind::Unresolved => IntervalFill::Unknown,
     }
@@ -31,13 +32,17 @@ fn fill_of_part(kind: Kind, end: &End) -> IntervalFill {
 }
 
 /// The strips as SVG.
-pub(super) fn svg(searched: &FeedStudy<'_>) -> String {
-    let found = &searched.found;
+pub(super) fn svg(searched: &FeedStudy<'_, impl Drawn>) -> String {
+    let (found, name) = (&searched.found, searched.scene.name());
     let pieces = found.stretches.iter().map(|piece| IntervalPiece {
         from: piece.first,
         to: piece.last,
         fill: fill(piece.label.kind()),
-        parts: piece.label.ends.iter().map(|end| fill_of_part(piece.label.kind(), end)).collect(),
+        // What is said of solid parts is said of all.
+        parts: match searched.feed {
+            Some(_) => piece.label.ends.iter().map(|end| fill_of_part(piece.label.kind(), end)).collect(),
+            None => vec![],
+        },
     });
     let last = found.stretches.last().map_or(1.0, |piece| piece.last);
     let free = found.smallest.as_ref().map(|smallest| smallest.free);
@@ -45,25 +50,32 @@ pub(super) fn svg(searched: &FeedStudy<'_>) -> String {
         .map(|free| (free, format!("no touch above {}", report::seconds(free, searched))))
         .into_iter()
         .collect();
-    marks
-        .extend(searched.scene.feed().map(|feed| (feed.interval, format!("the scene: {} s", feed.interval))));
+    marks.extend(searched.given.map(|interval| (interval, format!("the scene: {interval} s"))));
     let parts = " (of one part: as wanted, or as it ends alone)";
-    let legend = Kind::ALL.iter().map(|&kind| {
+    // What becomes of solid parts that touch is not followed, of others it is.
+    let shown = |kind: &&Kind| match kind {
+        Kind::Free | Kind::Blocked => true,
+        Kind::Touching => searched.feed.is_none(),
+        Kind::Harmless | Kind::Harmful | Kind::Unresolved => searched.feed.is_some(),
+    };
+    let legend = Kind::ALL.iter().filter(shown).map(|&kind| {
         let more = match kind {
+            _ if searched.feed.is_none() => "",
             Kind::Free => parts,
             Kind::Harmful => " (of one part: it does)",
             Kind::Blocked => " (of one part: it does not start)",
-            Kind::Harmless | Kind::Unresolved => "",
+            Kind::Harmless | Kind::Touching | Kind::Unresolved => "",
         };
         (fill(kind), format!("{}{more}", study::feed(kind)))
     });
     let legend: Vec<_> = legend.collect();
     intervals_svg(&IntervalStrips {
-        title: format!(
-            "{}: what happens to {} parts, by the interval between them",
-            searched.scene.name(),
-            searched.feed.parts
-        ),
+        title: match searched.feed {
+            Some(feed) => {
+                format!("{name}: what happens to {} parts, by the interval between them", feed.parts)
+            }
+            None => format!("{name}: whether parts touch, by the interval between them"),
+        },
         subtitle: report::answer(searched),
         to: free.map_or(last, |free| ABOVE * free),
         pieces: pieces.collect(),

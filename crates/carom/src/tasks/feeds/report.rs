@@ -2,17 +2,18 @@
 
 use super::{FeedStudy, Saved};
 use crate::tasks::wants;
-use carom_feeder::{Doing, Feeder, Outcome};
+use carom_feeder::{Doing, Feed, Outcome};
 use carom_figure::csv_cell;
 use carom_motion::planar::Surface;
 use carom_scene::{
-    AloneReport, EndingWord, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport,
+    AloneReport, Drawn, EndingWord, FeedMeetingReport, FeedStretchReport, FeedStudyReport, OwnMeetingReport,
     SavedFeedReport, SmallestIntervalReport, StudyRunReport, Word,
 };
-use carom_study::Ending;
 use carom_study::feeds::{End, Happens, Kind, Meets, Smallest};
 use carom_study::stretches::Stretch;
+use carom_study::{Ending, Landed};
 use carom_words::number::ascii as fixed;
+use carom_words::part::Names;
 use carom_words::{Words, aligned, part, study};
 use std::fmt::Write as _;
 
@@ -20,7 +21,7 @@ use std::fmt::Write as _;
 const MOST_ROWS: usize = 24;
 
 /// A time with one digit more than the accuracy has: it tells an interval with a touch from the next without.
-pub(super) fn seconds(time: f64, searched: &FeedStudy<'_>) -> String {
+pub(super) fn seconds(time: f64, searched: &FeedStudy<'_, impl Drawn>) -> String {
     let mut digits = 1;
     while digits < 12 && format!("1e-{digits}").parse::<f64>().is_ok_and(|one| one >= searched.plan.accuracy)
     {
@@ -30,7 +31,7 @@ pub(super) fn seconds(time: f64, searched: &FeedStudy<'_>) -> String {
 }
 
 /// What is wanted, in words.
-fn wanted(searched: &FeedStudy<'_>) -> String {
+fn wanted(searched: &FeedStudy<'_, impl Drawn>) -> String {
     wants(searched.scene.feeder(), searched.scene.wants()).unwrap_or_else(|| {
         let words = match searched.found.ending {
             Ending::Lies(verdict) => format!("{} on \"{}\"", carom_words::run::side(verdict), last(searched)),
@@ -41,13 +42,13 @@ fn wanted(searched: &FeedStudy<'_>) -> String {
 }
 
 /// The name of the last plate.
-fn last(searched: &FeedStudy<'_>) -> String {
+fn last(searched: &FeedStudy<'_, impl Drawn>) -> String {
     let feeder = searched.scene.feeder();
-    part::obstacle(feeder, feeder.plates.len() - 1)
+    part::obstacle(feeder, feeder.plate_count() - 1)
 }
 
 /// How a part ends on the last plate; where it stays on it, with its name.
-fn on_last(ending: Ending, searched: &FeedStudy<'_>) -> String {
+fn on_last(ending: Ending, searched: &FeedStudy<'_, impl Drawn>) -> String {
     match ending {
         Ending::Stays => format!("stays on \"{}\"", last(searched)),
         other => study::ending(other),
@@ -55,7 +56,7 @@ fn on_last(ending: Ending, searched: &FeedStudy<'_>) -> String {
 }
 
 /// How a part ends on the last plate, and how its run ends.
-fn end_in_words(ending: Ending, outcome: Outcome, searched: &FeedStudy<'_>) -> String {
+fn end_in_words(ending: Ending, outcome: Outcome, searched: &FeedStudy<'_, impl Drawn>) -> String {
     let ended = outcome.word().replace('_', " ");
     match ending {
         Ending::Otherwise(Outcome::Delivered) => "delivered before it lay flat".to_owned(),
@@ -66,7 +67,7 @@ fn end_in_words(ending: Ending, outcome: Outcome, searched: &FeedStudy<'_>) -> S
 }
 
 /// Part 2, in flight from "upper".
-fn doing(feeder: &Feeder, part: usize, doing: Doing) -> String {
+fn doing(feeder: &impl Names, part: usize, doing: Doing) -> String {
     let plate = part::obstacle(feeder, doing.obstacle);
     match doing.stage.map(|stage| stage.word()) {
         None => format!("part {} at its start", part + 1),
@@ -75,14 +76,14 @@ fn doing(feeder: &Feeder, part: usize, doing: Doing) -> String {
     }
 }
 
-fn meeting(feeder: &Feeder, meets: &Meets) -> String {
+fn meeting(feeder: &impl Names, meets: &Meets) -> String {
     let [ahead, behind] = [0, 1].map(|k| doing(feeder, meets.parts[k], meets.doing[k]));
     let does = if meets.blocked { "finds in its place" } else { "touches" };
     format!("{behind} {does} {ahead}")
 }
 
 /// The answer in a sentence.
-pub(super) fn answer(searched: &FeedStudy<'_>) -> String {
+pub(super) fn answer(searched: &FeedStudy<'_, impl Drawn>) -> String {
     match &searched.found.smallest {
         Some(Smallest { free, .. }) => format!(
             "smallest interval without touch {}: {} parts a minute",
@@ -95,16 +96,29 @@ pub(super) fn answer(searched: &FeedStudy<'_>) -> String {
 }
 
 /// Where one part alone comes to rest, and that later ones come to it.
-fn staying(searched: &FeedStudy<'_>) -> String {
-    let alone = &searched.found.alone;
-    let place = alone.stages.last().and_then(|stage| stage.obstacle);
+fn staying(searched: &FeedStudy<'_, impl Drawn>) -> String {
+    let place = searched.found.rests_on;
     let place =
         place.map_or(String::new(), |o| format!(" on \"{}\"", part::obstacle(searched.scene.feeder(), o)));
-    let outcome = alone.outcome.word().replace('_', " ");
+    let outcome = searched.found.alone.outcome().word().replace('_', " ");
     format!("one part alone comes to rest{place} ({outcome}), and later ones pile up")
 }
 
-impl FeedStudy<'_> {
+/// Which parts are followed, and how far.
+fn followed(searched: &FeedStudy<'_, impl Drawn>) -> String {
+    let until = "followed until it has left the last plate or rests";
+    let Some(Feed { parts, between: Surface { friction, restitution }, .. }) = searched.feed else {
+        return format!(
+            "one part alone is {until}: whether others touch it does not depend on how many there are; what those do that touch is not followed"
+        );
+    };
+    let said = if searched.given.is_some() { "" } else { ", as contacts of [contact]" };
+    format!(
+        "{parts} parts, friction {friction} and restitution {restitution} between them{said}; each is {until}"
+    )
+}
+
+impl<S: Drawn> FeedStudy<'_, S> {
     /// What it says to a person; `seconds_spent` is how long it took.
     pub fn text(&self, seconds_spent: f64) -> String {
         let searched = self;
@@ -129,14 +143,8 @@ impl FeedStudy<'_> {
                 );
             }
         }
-        let said = if searched.scene.feed().is_some() { "" } else { ", as contacts of [contact]" };
-        let Surface { friction, restitution } = searched.feed.between;
-        let _ = writeln!(
-            text,
-            "{} parts, friction {friction} and restitution {restitution} between them{said}; each is followed until it has left the last plate or rests",
-            searched.feed.parts
-        );
-        let _ = writeln!(text, "one part alone: {} after {:.3} s", alone(searched), found.alone.end_time);
+        let _ = writeln!(text, "{}", followed(searched));
+        let _ = writeln!(text, "one part alone: {} after {:.3} s", alone(searched), found.alone.end_time());
         let _ = writeln!(text, "wanted: {}\n", wanted(searched));
         text += &table(searched);
         if found.unresolved > 0.0 {
@@ -146,7 +154,10 @@ impl FeedStudy<'_> {
                 found.unresolved
             );
         }
-        let _ = writeln!(text, "{} feeds, {:.2} s\n", found.runs, seconds_spent);
+        let _ = match searched.feed {
+            Some(_) => writeln!(text, "{} feeds, {:.2} s\n", found.runs, seconds_spent),
+            None => writeln!(text, "{:.2} s\n", seconds_spent),
+        };
         text
     }
 
@@ -157,7 +168,7 @@ impl FeedStudy<'_> {
         let mut out = String::from(
             "from_s,to_s,what,part_ahead,part_behind,stage_ahead,plate_ahead,stage_behind,plate_behind",
         );
-        for part in 1..=searched.feed.parts {
+        for part in 1..=searched.parts() {
             let _ = write!(out, ",part_{part}");
         }
         out.push('\n');
@@ -170,7 +181,7 @@ impl FeedStudy<'_> {
                     let _ = write!(out, ",{},{}", a + 1, b + 1);
                     for doing in meets.doing {
                         let stage = doing.stage.map_or("start", |stage| stage.word());
-                        let _ = write!(out, ",{stage},{}", csv_cell(feeder.obstacle_name(doing.obstacle)));
+                        let _ = write!(out, ",{stage},{}", csv_cell(feeder.given(doing.obstacle)));
                     }
                 }
             }
@@ -192,7 +203,7 @@ impl FeedStudy<'_> {
             touching_s: smallest.touching,
             below: Word(smallest.below),
             parts_per_minute: 60.0 / smallest.free,
-            limited_by: smallest.meets.map(|meets| feeder.obstacle_name(meets.doing[0].obstacle).to_owned()),
+            limited_by: smallest.meets.map(|meets| feeder.given(meets.doing[0].obstacle).to_owned()),
             first: smallest.meets.as_ref().map(meeting),
         });
         let saved = self.saved().map(|saved: Saved| SavedFeedReport {
@@ -203,15 +214,15 @@ impl FeedStudy<'_> {
         FeedStudyReport {
             scene: searched.scene.name().to_owned(),
             approximations: searched.scene.approximations().to_vec(),
-            parts: searched.feed.parts,
-            friction: searched.feed.between.friction,
-            restitution: searched.feed.between.restitution,
+            parts: searched.feed.map(|feed| feed.parts),
+            friction: searched.feed.map(|feed| feed.between.friction),
+            restitution: searched.feed.map(|feed| feed.between.restitution),
             wanted: wanted(searched),
             accuracy_s: searched.plan.accuracy,
             alone: AloneReport {
                 ending: EndingWord(found.ending),
-                outcome: Word(found.alone.outcome),
-                end_s: found.alone.end_time,
+                outcome: Word(found.alone.outcome()),
+                end_s: found.alone.end_time(),
             },
             smallest,
             piles_up: found.piles_up(),
@@ -225,8 +236,8 @@ impl FeedStudy<'_> {
     }
 }
 
-fn alone(searched: &FeedStudy<'_>) -> String {
-    end_in_words(searched.found.ending, searched.found.alone.outcome, searched)
+fn alone(searched: &FeedStudy<'_, impl Drawn>) -> String {
+    end_in_words(searched.found.ending, searched.found.alone.outcome(), searched)
 }
 
 /// How parts first touch in a feed, or that it is not resolved whether they do.
@@ -238,7 +249,7 @@ fn first_touch(happens: &Happens) -> FirstTouch {
     (happens.meets, happens.meets.is_none() && !happens.is_free())
 }
 
-fn grouped<'f>(searched: &'f FeedStudy<'_>) -> Vec<Group<'f>> {
+fn grouped<'f>(searched: &'f FeedStudy<'_, impl Drawn>) -> Vec<Group<'f>> {
     let mut groups: Vec<Group<'f>> = vec![];
     for piece in searched.found.stretches.iter().rev() {
         match groups.last_mut() {
@@ -256,7 +267,7 @@ fn column(happens: &Happens) -> usize {
         Kind::Harmless => 0,
         Kind::Free | Kind::Harmful => 1,
         Kind::Blocked => 2,
-        Kind::Unresolved => 3,
+        Kind::Touching | Kind::Unresolved => 3,
     }
 }
 
@@ -275,16 +286,20 @@ fn shares(pieces: &[&Stretch<Happens>]) -> [String; 4] {
 }
 
 /// What happens at which interval, the longest first.
-fn table(searched: &FeedStudy<'_>) -> String {
+fn table(searched: &FeedStudy<'_, impl Drawn>) -> String {
     let feeder = searched.scene.feeder();
     let groups = grouped(searched);
-    let head = ["from s", "to s", "as wanted %", "otherwise %", "no start %", "unresolved %", "first touch"];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    let outcomes = ["as wanted %", "otherwise %", "no start %", "unresolved %"].map(str::to_owned);
+    // What becomes of solid parts that touch is not followed.
+    let with = |outcomes: [String; 4]| outcomes.into_iter().filter(|_| searched.feed.is_some());
+    let mut rows = vec![["from s", "to s"].map(str::to_owned).to_vec()];
+    rows[0].extend(with(outcomes));
+    rows[0].push("first touch".to_owned());
     for ((meets, unresolved), pieces) in groups.iter().take(MOST_ROWS) {
         let (Some(longest), Some(shortest)) = (pieces.first(), pieces.last()) else { continue };
         let mut row =
             [shortest.first, longest.last].map(|at| seconds(at, searched).replace(" s", "")).to_vec();
-        row.extend(shares(pieces));
+        row.extend(with(shares(pieces)));
         let none = if *unresolved { Kind::Unresolved } else { Kind::Free };
         row.push(meets.as_ref().map_or(study::feed(none).to_owned(), |meets| meeting(feeder, meets)));
         rows.push(row);
@@ -306,7 +321,7 @@ fn table(searched: &FeedStudy<'_>) -> String {
 }
 
 /// What becomes of those that end otherwise.
-fn ends(ends: &[End], searched: &FeedStudy<'_>) -> String {
+fn ends(ends: &[End], searched: &FeedStudy<'_, impl Drawn>) -> String {
     let others = ends.iter().enumerate().filter(|(_, end)| !end.as_wanted);
     let words = others
         .map(|(part, end)| format!("part {}: {}", part + 1, end_in_words(end.ending, end.outcome, searched)));
