@@ -138,8 +138,8 @@ pub(crate) fn feed(
             fed(&study, scenes, spent(study.drops(), begun, threads))
         }
         AnyScene::Space(scene) => {
-            let search = |step| FeedStudy::searched_solid(scene, &feed, step);
-            let (study, threads, begun) = asked(py, progress, search)?;
+            let (study, threads, begun) =
+                asked(py, progress, |step| FeedStudy::searched_solid(scene, &feed, step))?;
             fed(&study, vec![], spent(study.drops(), begun, threads))
         }
     }
