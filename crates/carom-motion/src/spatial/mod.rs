@@ -20,6 +20,7 @@ pub use geometry::friction::{Friction, FrictionProblem};
 pub use geometry::hull::HullProblem;
 pub use geometry::named::Touch;
 pub use geometry::obstacle::{Obstacle, PlateProblem, RadiusProblem};
+pub use geometry::overlap::Form;
 pub use geometry::plane::{Plane, PlaneProblem};
 pub use geometry::polyhedron::{Face, Polyhedron, Stance};
 pub use geometry::rest::Rest;

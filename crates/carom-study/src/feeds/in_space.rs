@@ -1,7 +1,7 @@
 //! How a solid part stands between two samples, and how far two of it are apart.
 
 use super::path::{Leg, Passes};
-use carom_motion::spatial::{State, World};
+use carom_motion::spatial::{Form, State};
 use carom_num::{Rotation, Vec3};
 
 /// The four numbers of an attitude, or their rates.
@@ -21,12 +21,12 @@ fn length(four: Four) -> f64 {
     four.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-impl Passes for World {
+impl Passes for Form {
     type State = State;
     type Pose = State;
 
     fn size(&self) -> f64 {
-        self.body().reach()
+        self.reach()
     }
 
     fn pose(&self, leg: &Leg<State>, u: f64) -> State {
@@ -75,8 +75,8 @@ mod tests {
         let mut feeder = examples::two_plates();
         feeder.start.turn = 0.3;
         let run = feeder.run().unwrap();
-        let prepared = feeder.prepare(Default::default()).unwrap();
-        let (world, mut worst) = (prepared.world(), 0.0_f64);
+        let body = &feeder.part.body;
+        let (form, mut worst) = (Form::of(body).unwrap(), 0.0_f64);
         for piece in &run.samples.pieces {
             let inside = |time: f64| time > piece.start_time && time < piece.end_time;
             let inner = run.samples.instants.iter().filter(|(time, ..)| inside(*time));
@@ -85,12 +85,12 @@ mod tests {
             all.push((piece.end_time, piece.end));
             all.dedup_by_key(|(time, _)| *time);
             let half = all.iter().copied().step_by(2);
-            let Some(way) = Way::of(world, std::iter::once(half), true) else { continue };
+            let Some(way) = Way::of(&form, std::iter::once(half), true) else { continue };
             for k in (1..all.len() - 1).step_by(2) {
                 let (time, state) = &all[k];
                 let found = way.pose(*time);
                 let off = |r: &Vec3| (found.place(*r) - state.place(*r)).norm();
-                let of_body = world.body().supports().iter().map(off);
+                let of_body = body.supports().iter().map(off);
                 worst = of_body.fold(worst, f64::max);
             }
         }

@@ -116,6 +116,9 @@ pub enum FeedsError {
     /// The feeder or the feed cannot be.
     #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
     Problems(Vec<FeederProblem>),
+    /// A part that has no form.
+    #[error("the part: {0}")]
+    Form(String),
     /// One part alone neither leaves the feeder nor comes to rest on it.
     #[error("one part alone neither leaves the feeder nor rests on it")]
     Alone(Outcome),

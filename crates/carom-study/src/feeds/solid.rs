@@ -5,7 +5,7 @@ use super::{End, Feeds, FeedsError, Happens, Meets, Plan, leaves, refused, small
 use crate::ending::Ending;
 use crate::stretches::{self, Stretches};
 use carom_feeder::{Stop, spatial};
-use carom_motion::spatial::{Options, World};
+use carom_motion::spatial::Form;
 
 /// Searches all intervals at which solid parts may be fed to this feeder, as [`search`](super::search) does for parts in the plane; `step` is called after each interval.
 ///
@@ -40,11 +40,11 @@ pub fn search_solid(
 ) -> Result<Feeds<spatial::Run>, FeedsError> {
     plan.check()?;
     let feeder = spatial::Feeder { stop: Stop::Delivered, ..feeder.clone() };
-    let prepared = feeder.prepare(Options::default()).map_err(refused)?;
     let alone = feeder.run().map_err(refused)?;
+    let form = Form::of(&feeder.part.body).map_err(|problem| FeedsError::Form(problem.to_string()))?;
     let ending = Ending::of(&alone, feeder.plates.len() - 1);
     let leaves = leaves(alone.outcome)?;
-    let way = way(prepared.world(), &alone, leaves);
+    let way = way(&form, &alone, leaves);
     let longest = way.as_ref().filter(|_| leaves).map(|way| way.search(0.1 * plan.accuracy));
     let as_wanted = wanted(&alone).unwrap_or(true);
     let classify = |interval: f64| {
@@ -68,7 +68,7 @@ pub fn search_solid(
 }
 
 /// The way of a part, piece by piece.
-fn way<'w>(world: &'w World, run: &spatial::Run, gone: bool) -> Option<Way<'w, World>> {
+fn way<'f>(form: &'f Form, run: &spatial::Run, gone: bool) -> Option<Way<'f, Form>> {
     let samples = &run.samples;
     let pieces = samples.pieces.iter().map(|piece| {
         let from = samples.instants.partition_point(|(time, ..)| *time <= piece.start_time);
@@ -76,5 +76,5 @@ fn way<'w>(world: &'w World, run: &spatial::Run, gone: bool) -> Option<Way<'w, W
         let inner = samples.instants[from..until.max(from)].iter().map(|(time, _, state)| (*time, *state));
         std::iter::once((piece.start_time, piece.start)).chain(inner).chain([(piece.end_time, piece.end)])
     });
-    Way::of(world, pieces, gone)
+    Way::of(form, pieces, gone)
 }

@@ -1,7 +1,9 @@
 //! How far a body is from what it must not be in: obstacles, and another body like it.
 
+use super::body::Body;
 use super::state::{Pose, State, measured};
-use super::world::World;
+use super::surface::Surface;
+use super::world::{ObstaclesProblem, World, form_of};
 
 impl World {
     /// The first obstacle with ends that the body is in, and how deep; where it touches one it is not deeper than `spare`.
@@ -35,22 +37,41 @@ impl World {
         let all = (0..self.obstacle_count()).map(|obstacle| (obstacle, depth(obstacle)));
         all.filter(|(_, depth)| *depth > spare).collect()
     }
+}
 
-    /// How far a body like this one in one state is from one in another, at least \[m\]; 0 or negative exactly where they overlap. What they do does not matter, only where they stand.
+/// The form of a body: what is between its supports.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Form {
+    surface: Surface,
+    reach: f64,
+}
+
+impl Form {
+    /// The hull of a body's supports; of one with round edges all places within the radius of it.
     ///
-    /// # Limits
-    /// For a world with obstacles ([`World::among`]): without any a body has no form, but supports.
+    /// # Errors
+    /// [`ObstaclesProblem`]: supports that have no hull, or are rounded in different ways.
+    pub fn of(body: &Body) -> Result<Self, ObstaclesProblem> {
+        let (surface, _) = form_of(body)?;
+        Ok(Self { surface, reach: body.reach() })
+    }
+
+    /// No place of it is farther from the mass centre \[m\].
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// How far a body of this form in one state is from one in another, at least \[m\]; 0 or negative exactly where they overlap. What they do does not matter, only where they stand.
     ///
     /// # Example
     /// Two cubes of 1 m beside each other, their centres 1.25 m apart.
     /// ```
-    /// use carom_motion::spatial::{Friction, Plane, State, World, examples};
+    /// use carom_motion::spatial::{Form, State, examples};
     /// use carom_num::{Rotation, Vec3};
-    /// let world = World::new(examples::block(), Vec3::Z * -10.0).unwrap().with_friction(Friction::new(0.1)).unwrap();
-    /// let world = world.among(vec![Plane::FLOOR]).unwrap();
+    /// let cube = Form::of(&examples::block()).unwrap();
     /// let (attitude, still) = (Rotation::NONE, Vec3::ZERO);
     /// let at = |x: f64| State { centre: Vec3::X * x, attitude, velocity: still, spin: still };
-    /// assert_eq!(world.clearance([&at(0.0), &at(1.25)]), 0.25);
+    /// assert_eq!(cube.clearance([&at(0.0), &at(1.25)]), 0.25);
     /// ```
     pub fn clearance(&self, [a, b]: [&State; 2]) -> f64 {
         let attitude = b.attitude.inverse().after(a.attitude);

@@ -342,6 +342,12 @@ fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Ve
     if let Some(radius) = radii.into_iter().find(|radius| *radius > 0.0 && *radius < least) {
         return Err(ObstaclesProblem::Sharp { radius, least });
     }
+    form_of(body)
+}
+
+/// The same of a body by itself.
+pub(super) fn form_of(body: &Body) -> Result<(Surface, Vec<Vec<Vec3>>), ObstaclesProblem> {
+    let radius = body.rounding().ok_or(ObstaclesProblem::Round)?;
     if radius > 0.0 && body.supports().len() <= 2 {
         let surface = Surface::of_round(body.supports(), radius);
         let spokes = surface.spokes.clone();
