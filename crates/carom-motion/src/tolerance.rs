@@ -82,6 +82,9 @@ pub(crate) const WEIGHTLESS: f64 = 1e-9;
 pub(crate) const MODE_CONTRADICTION: f64 = 1e-3;
 /// Pivots of a mode's equations below this fraction of the matrix count as zero: contacts that say the same (in space too).
 pub(crate) const MODE_RANK: f64 = 1e-9;
+/// Pivots of what the supports of a body in space are asked for together, below this fraction of the largest entry: the motions that are asked for are more than this part of the largest one,
+/// since they are told from the others by the root of [`MODE_RANK`].
+pub(crate) const SPANNED_RANK: f64 = 1e-12;
 /// What is left of a support's push is nothing new below this fraction of its square: rounding.
 pub(crate) const NOTHING_NEW: f64 = 1e-16;
 /// What takes rounding back is at most so many times as large as it.

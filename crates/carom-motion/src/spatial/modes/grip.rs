@@ -3,7 +3,7 @@
 use crate::spatial::geometry::body::Body;
 use crate::spatial::geometry::state::Pose;
 use crate::spatial::geometry::world::World;
-use crate::tolerance::{MODE_RANK, NOTHING_NEW, STEEPEST};
+use crate::tolerance::{MODE_RANK, NOTHING_NEW, SPANNED_RANK, STEEPEST};
 use carom_impact::spatial::MOST_EXAMINED;
 use carom_num::solve::{dot, solve_regular};
 use carom_num::{Basis, Vec3};
@@ -329,7 +329,8 @@ impl Grip<'_> {
         if exact && size(&basis.left(*right)) > MODE_RANK * size(right) {
             return None;
         }
-        let z = solve_regular(along, must, axes.len(), MODE_RANK)?;
+        // How many axes there are tells the rank: nothing but friction makes them singular.
+        let z = solve_regular(along, must, axes.len(), SPANNED_RANK)?;
         Some(std::array::from_fn(|k| axes.iter().zip(z).map(|(axis, z)| axis[k] * z).sum()))
     }
 
