@@ -127,15 +127,16 @@ impl Plate {
         self.carrying().into_iter().zip(reaches).filter_map(sheet).collect()
     }
 
-    /// The walls along its sides, by their corners; none where they have no height or the plate is as wide as needed.
-    fn sides(&self) -> Vec<[Vec3; 4]> {
+    /// The walls along its sides, by their corners; none where they have no height or the plate is as wide as needed. They go on below the upper side, as that does under them: where they meet
+    /// the part touches faces, and no edges.
+    fn sides(&self, size: f64) -> Vec<[Vec3; 4]> {
         let CrossSection::Walled { height } = self.cross_section else { return vec![] };
         let (Some(width), Some(axes)) = (self.width, self.axes()) else { return vec![] };
         let [edge, uphill] = [self.edge, self.uphill].map(|at| Vec3::new(at.x, at.y, 0.0));
-        let high = axes.up * height;
+        let [low, high] = [-UNDER_WALLS * size, height].map(|rise| axes.up * rise);
         let side = |sign: f64| {
             let beside = axes.across * (0.5 * width * sign);
-            [edge + beside, edge + beside + high, uphill + beside + high, uphill + beside]
+            [edge + beside + low, edge + beside + high, uphill + beside + high, uphill + beside + low]
         };
         vec![side(1.0), side(-1.0)]
     }
@@ -144,14 +145,14 @@ impl Plate {
     /// Beside a part of this size; none where it has no length.
     pub fn sheets(&self, size: f64) -> Vec<([Vec3; 4], f64)> {
         let carriers = self.carriers(size).into_iter().map(|sheet| (sheet.corners(0.0, 0.0), sheet.radius));
-        carriers.chain(self.sides().into_iter().map(|corners| (corners, 0.0))).collect()
+        carriers.chain(self.sides(size).into_iter().map(|corners| (corners, 0.0))).collect()
     }
 
     /// Its polygons as a picture has them \[m\], beside a part of this size: its sheets that carry, each by the corners along its free edge first, counter-clockwise as seen from above where
     /// it leads to the right, round edges in facets; then the walls along its sides.
     pub fn polygons(&self, size: f64) -> Vec<Vec<Vec3>> {
         let carriers = self.carriers(size).into_iter().flat_map(|sheet| sheet.polygons());
-        carriers.chain(self.sides().into_iter().map(Vec::from)).collect()
+        carriers.chain(self.sides(size).into_iter().map(Vec::from)).collect()
     }
 }
 
