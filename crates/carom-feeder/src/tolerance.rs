@@ -28,7 +28,7 @@ pub(crate) const FLAT_FACE: f64 = 1e-6;
 pub(crate) const ON_ONE_LINE: f64 = 1e-6;
 /// Sizes of the part that a plate or wall across the drawing is wide where the drawing gives no width.
 pub(crate) const WIDE: f64 = 400.0;
-/// A plate reaches this far under the walls along its sides, in units of the part's size: where a part touches wall and plate at once, the plate has no edge of its own.
+/// A plate reaches this far under the walls along its sides, and they below its upper side, in units of the part's size: where a part touches wall and plate at once, neither has an edge.
 pub(crate) const UNDER_WALLS: f64 = 1e-3;
 /// The least and the largest angle between the flanks of a groove [rad], 10° and 170°: beyond them what one flank carries is hardly told from what the other does.
 pub(crate) const V_ANGLES: [f64; 2] = [PI / 18.0, 17.0 * PI / 18.0];

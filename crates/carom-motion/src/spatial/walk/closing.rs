@@ -146,7 +146,7 @@ impl Walker<'_> {
             }
         }
         // Supports of several planes leave a body that slides on them free to turn: of what is low only what lies flush with them touches.
-        let flush = (!world.is_of_one_plane(held)).then(|| self.flush_with(held));
+        let flush = (rests && !world.is_of_one_plane(held)).then(|| self.flush_with(held));
         let lies = |i: usize| flush.as_ref().is_none_or(|marks| marks.contains(i));
         for (i, height) in self.heights.iter_mut().enumerate().take(world.count()) {
             let low = height.abs() < LIES_ON_PLANE * self.scales.length;
