@@ -7,9 +7,10 @@
     reason = "a test fails by panicking, and says what it measured"
 )]
 
+use crate::extruded::in_space;
 use crate::paper;
 
-use carom_feeder::{Feeder, Outcome, Plate, Run, Start, Verdict, spatial};
+use carom_feeder::{Feeder, Outcome, Run, Verdict, spatial};
 use carom_motion::planar::Options;
 use carom_motion::spatial::Body;
 use carom_num::{Mat3, Vec3};
@@ -103,32 +104,6 @@ fn bar() -> spatial::Part {
     let inertia = Mat3::diagonal(square(edges.y, edges.z), square(edges.x, edges.z), 2.5e-4);
     let body = Body::new(0.3, inertia, block.body.supports().to_vec()).unwrap();
     spatial::Part { body, faces: block.faces }
-}
-
-/// The same plates, as wide as needed, for a solid part that starts on its lower face.
-pub(crate) fn in_space(feeder: &Feeder, part: spatial::Part) -> spatial::Feeder {
-    let plate = |plate: &Plate| spatial::Plate {
-        name: plate.name.clone(),
-        uphill: plate.uphill,
-        edge: plate.edge,
-        width: None,
-        roll: 0.0,
-        cross_section: spatial::CrossSection::Flat,
-        edge_radius: plate.form.edge_radius,
-        friction: plate.friction,
-        restitution: plate.restitution,
-        unbounded: plate.unbounded,
-    };
-    let Start { to_edge, speed, .. } = feeder.start;
-    spatial::Feeder {
-        gravity: feeder.gravity,
-        stop: feeder.stop,
-        law: feeder.law,
-        part,
-        start: spatial::Start { to_edge, aside: 0.0, turn: 0.0, speed, face: 0 },
-        plates: feeder.plates.iter().map(plate).collect(),
-        walls: vec![],
-    }
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod bent;
 mod budgets;
 mod delivered;
 mod exact;
+mod extruded;
 mod feed;
 mod grid;
 mod invariance;

@@ -2,7 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "how far two engines differ is a measurement")]
 
-use crate::grid::in_space;
+use crate::extruded::in_space;
 use carom_feeder::spatial::{self, CrossSection, Exit, Wall, WallForm, examples};
 use carom_feeder::{
     Feeder, FeederProblem, Form, Outcome, Part, PartKind, Plate, RunError, StageName, Start, Stop,

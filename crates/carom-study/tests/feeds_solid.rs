@@ -2,10 +2,11 @@
 
 #![allow(clippy::print_stdout, reason = "how far two ways agree is a measurement")]
 
+use crate::extruded::in_space;
 use crate::feeds::{BETWEEN, back_and_forth};
 
 use carom_feeder::spatial::{self, examples};
-use carom_feeder::{Feed, Feeder, Plate};
+use carom_feeder::{Feed, Feeder};
 use carom_num::elementary::{cos, sin};
 use carom_num::{Vec2, Vec3};
 use carom_study::feeds::{Feeds, FeedsError, Kind, Meets, Plan, search, search_solid};
@@ -47,30 +48,9 @@ fn bars_that_start_askew_may_follow_once_the_first_is_clear() {
     }
 }
 
-/// The same box and plates, with a third extent.
-fn in_space(feeder: &Feeder) -> spatial::Feeder {
-    let plate = |plate: &Plate| spatial::Plate {
-        name: plate.name.clone(),
-        uphill: plate.uphill,
-        edge: plate.edge,
-        width: None,
-        roll: 0.0,
-        cross_section: spatial::CrossSection::Flat,
-        edge_radius: 0.0,
-        friction: plate.friction,
-        restitution: plate.restitution,
-        unbounded: false,
-    };
-    let start = spatial::Start { to_edge: feeder.start.to_edge, aside: 0.0, turn: 0.0, speed: 0.5, face: 0 };
-    spatial::Feeder {
-        gravity: feeder.gravity,
-        stop: feeder.stop,
-        law: feeder.law,
-        part: examples::block(Vec3::new(0.06, 0.02, 0.05), 0.1),
-        start,
-        plates: feeder.plates.iter().map(plate).collect(),
-        walls: vec![],
-    }
+/// The same feeder, where the box has a third extent.
+fn with_depth(feeder: &Feeder) -> spatial::Feeder {
+    in_space(feeder, examples::block(Vec3::new(0.06, 0.02, 0.05), 0.1))
 }
 
 #[test]
@@ -81,7 +61,7 @@ fn a_box_may_follow_in_space_as_it_may_in_the_plane() {
         let plan = Plan { nodes: 64, accuracy: 1e-7, most: 1 };
         let feed = Feed { parts: 2, interval: 1.0, between: BETWEEN };
         let plane = search(&feeder, &feed, &plan, |_| None, || ()).unwrap();
-        let space = searched(&in_space(&feeder), 64, 1e-7);
+        let space = searched(&with_depth(&feeder), 64, 1e-7);
         let (own, other) = (space.smallest.unwrap(), plane.smallest.unwrap());
         let off = (own.free - other.free).abs();
         println!("lower plate {lower}°: {} s, within {off:.1e} s", own.free);
@@ -97,7 +77,7 @@ fn a_box_may_follow_in_space_as_it_may_in_the_plane() {
 /// One that comes to rest is in the way of all that follow.
 #[test]
 fn parts_pile_up_behind_one_that_rests() {
-    let mut feeder = in_space(&back_and_forth(20.0, 0.2));
+    let mut feeder = with_depth(&back_and_forth(20.0, 0.2));
     feeder.plates[1].friction = 1.0;
     let found = searched(&feeder, 16, 1e-6);
     assert_eq!((found.rests_on, found.smallest.clone()), (Some(1), None));

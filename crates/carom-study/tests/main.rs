@@ -4,6 +4,8 @@
 
 mod cells;
 mod corner;
+#[path = "../../carom-feeder/tests/extruded.rs"]
+mod extruded;
 mod feeds;
 mod feeds_solid;
 mod fits;
