@@ -175,6 +175,12 @@ pub(crate) const NEWTON_DONE: f64 = 1e-16;
 
 /// Supports closer than this are one point.
 pub(crate) const ONE_SUPPORT: f64 = 1e-9;
+/// A corner that is asked for by its place is the one no farther from there than this, in units of the reach: digits of a file, and what faces move by to be plane.
+pub(crate) const NAMED_CORNER: f64 = 1e-4;
+/// An edge at which pieces of a body take up half a turn but for this angle is none \[rad\]: they share a face there.
+pub(crate) const HALF_TURN: f64 = 1e-6;
+/// A corner all of whose edges lie to one side of a plane by less than this, as a sine, is none.
+pub(crate) const POINTED: f64 = 1e-6;
 /// Room of the principal moments, as a fraction of them: their closed form is exact to half the digits where two of them are equal.
 pub(crate) const PRINCIPAL_SPARE: f64 = 1e-6;
 /// A body thinner than this part of its length is flat: nothing that a plane does to it could be told from rounding of its places.

@@ -28,6 +28,7 @@ mod spatial_circles;
 mod spatial_corners;
 mod spatial_edges;
 mod spatial_ends;
+mod spatial_pieces;
 mod spatial_pins;
 mod spatial_planar;
 mod spatial_planes;

@@ -4,8 +4,8 @@
 
 use carom_impact::Law;
 use carom_impact::spatial::Conclusion;
-use carom_motion::planar::{self, Happening, Shape};
-use carom_motion::spatial::{self, Feature, Friction, Mode, Obstacle, Plane, Samples};
+use carom_motion::planar::{self, ChainPoint, Happening, Shape};
+use carom_motion::spatial::{self, Feature, Friction, Mode, Obstacle, Plane, Polyhedron, Samples};
 use carom_num::{Mat3, Rotation, Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -23,6 +23,9 @@ struct Drop {
     half: [f64; 2],
     /// What rounds it: its corners are this far outside of `half`.
     radius: f64,
+    /// Places in a hollow of it, between its last corner and its first one, and the convex pieces that it consists of; none of a box.
+    hollow: Vec<Vec2>,
+    pieces: Vec<Vec<Vec2>>,
     inertia: f64,
     friction: f64,
     restitution: f64,
@@ -48,6 +51,33 @@ impl Drop {
         let [a, b] = self.half;
         [(-a, -b), (a, -b), (a, b), (-a, b)].map(|(x, y)| Vec2::new(x, y))
     }
+
+    /// A box with a hollow in its left side, between two heights and so deep: a C, or an L where it reaches to its upper side.
+    fn hollowed(mut self, [low, high, deep]: [f64; 3]) -> Self {
+        let [[a, b], inner] = [self.half, [deep - self.half[0], 0.0]];
+        let block = |[left, right]: [f64; 2], [low, high]: [f64; 2]| {
+            [(left, low), (right, low), (right, high), (left, high)].map(|(x, y)| Vec2::new(x, y)).to_vec()
+        };
+        self.pieces = vec![block([inner[0], a], [-b, b]), block([-a, inner[0]], [-b, low])];
+        self.hollow = [(inner[0], low), (-a, low)].map(|(x, y)| Vec2::new(x, y)).to_vec();
+        if high < b {
+            self.pieces.push(block([-a, inner[0]], [high, b]));
+            self.hollow.splice(0..0, [(-a, high), (inner[0], high)].map(|(x, y)| Vec2::new(x, y)));
+        }
+        self
+    }
+
+    /// Its outline, counter-clockwise.
+    fn outline(&self) -> Vec<Vec2> {
+        let [first, second, third, last] = self.corners();
+        // An L has no upper left corner: its hollow begins where its upper side ends.
+        match self.hollow[..] {
+            [Vec2 { x, .. }, _] => {
+                vec![first, second, third, Vec2::new(x, last.y), self.hollow[0], self.hollow[1]]
+            }
+            _ => [&[first, second, third, last][..], &self.hollow].concat(),
+        }
+    }
 }
 
 fn drawn(case: u64) -> Drop {
@@ -60,6 +90,8 @@ fn drawn(case: u64) -> Drop {
     Drop {
         half,
         radius: 0.0,
+        hollow: vec![],
+        pieces: vec![],
         inertia: (half[0] * half[0] + half[1] * half[1]) / 3.0,
         friction: rng.random_range(0.0..1.0),
         restitution: if slides { 0.0 } else { rng.random_range(0.0..0.6) },
@@ -118,9 +150,23 @@ fn drawn_rounded_over_an_end(case: u64) -> Drop {
     Drop { radius, centre: drop.centre + Vec2::new(0.0, 1.5 * radius), ..drop }
 }
 
+/// The same boxes with a hollow that an end of a plate may enter.
+fn drawn_with_a_hollow(case: u64) -> Drop {
+    let drop = drawn_over_an_end(case);
+    let mut rng = Pcg64::seed_from_u64(case + 4_000_000);
+    let [a, b] = drop.half;
+    let (low, deep) = (rng.random_range(-0.7..-0.1) * b, rng.random_range(0.2..1.8) * a);
+    let high = if case.is_multiple_of(3) { b } else { rng.random_range(0.1..0.7) * b };
+    drop.hollowed([low, high, deep])
+}
+
 /// Where the box is in the plane after this time.
 fn in_the_plane(drop: &Drop, most_time: f64) -> (planar::State, usize) {
-    let shape = Shape::new(drop.corners().to_vec(), drop.radius).unwrap();
+    let shape = if drop.hollow.is_empty() {
+        Shape::new(drop.corners().to_vec(), drop.radius).unwrap()
+    } else {
+        Shape::of_chain(&drop.outline().into_iter().map(ChainPoint::straight).collect::<Vec<_>>()).unwrap()
+    };
     let body = planar::Body { shape, mass: 1.0, inertia: drop.inertia };
     let line = |from: Vec2, to: Vec2| planar::Obstacle::new(from, to, drop.friction, drop.restitution);
     let ground = match &drop.ground {
@@ -148,13 +194,18 @@ fn in_the_plane(drop: &Drop, most_time: f64) -> (planar::State, usize) {
 
 fn in_space(drop: &Drop, most_time: f64) -> (spatial::Run, Samples) {
     let width = 0.07;
-    let mut corners = vec![];
-    for Vec2 { x, y: z } in drop.corners() {
-        corners.extend([Vec3::new(x, -width, z), Vec3::new(x, width, z)]);
-    }
+    let deep = |profile: &[Vec2]| {
+        profile.iter().flat_map(|r| [-width, width].map(|y| Vec3::new(r.x, y, r.y))).collect::<Vec<_>>()
+    };
     let inertia = Mat3::diagonal(0.9 * drop.inertia, drop.inertia, 0.8 * drop.inertia);
-    let features = corners.into_iter().map(|r| Feature::point(r).rounded(drop.radius)).collect();
-    let body = spatial::Body::of(1.0, inertia, features).unwrap();
+    let body = if drop.pieces.is_empty() {
+        let features = deep(&drop.corners()).into_iter().map(|r| Feature::point(r).rounded(drop.radius));
+        spatial::Body::of(1.0, inertia, features.collect()).unwrap()
+    } else {
+        let piece = |profile: &Vec<Vec2>| Polyhedron::of_points(&deep(profile), 1e-12).unwrap();
+        let pieces: Vec<Polyhedron> = drop.pieces.iter().map(piece).collect();
+        spatial::Body::of_pieces(1.0, inertia, &pieces, &[]).unwrap()
+    };
     let friction = Friction::new(drop.friction).with_restitution(drop.restitution);
     let world = spatial::World::new(body, Vec3::Z * -G).unwrap().with_friction(friction).unwrap();
     let world = match &drop.ground {
@@ -259,4 +310,20 @@ fn a_box_that_falls_off_a_plate_moves_as_the_plane_says() {
 fn a_rounded_box_that_falls_off_a_plate_moves_as_the_plane_says() {
     // The smaller its radius, the more a ball turns for what rounding shifts it by.
     agree(CASES, drawn_rounded_over_an_end, [100, 100, 50], 1e-10);
+}
+
+#[test]
+fn a_box_with_a_hollow_falls_off_a_plate_as_the_plane_says() {
+    let cases = 3 * CASES;
+    agree(cases, drawn_with_a_hollow, [300, 300, 150], 1e-11);
+    // The hollow matters: where it is filled, some of them move otherwise.
+    let differs = |case: &u64| {
+        let drop = drawn_with_a_hollow(*case);
+        let (run, _) = in_space(&drop, 0.35);
+        let (filled, _) = in_space(&Drop { hollow: vec![], pieces: vec![], ..drop }, 0.35);
+        (run.state.centre - filled.state.centre).norm() > 1e-3
+    };
+    let entered = (0..cases).into_par_iter().filter(differs).count();
+    println!("{entered} of {cases} move otherwise than without their hollow");
+    assert!(entered > 70, "{entered}");
 }

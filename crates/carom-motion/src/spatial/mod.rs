@@ -15,12 +15,13 @@ mod walk;
 pub use record::observer;
 
 pub use geometry::body::{Body, BodyProblem};
+pub use geometry::cut::PiecesProblem;
 pub use geometry::feature::Feature;
+pub use geometry::form::Form;
 pub use geometry::friction::{Friction, FrictionProblem};
 pub use geometry::hull::HullProblem;
 pub use geometry::named::Touch;
 pub use geometry::obstacle::{Obstacle, PlateProblem, RadiusProblem};
-pub use geometry::overlap::Form;
 pub use geometry::plane::{Plane, PlaneProblem};
 pub use geometry::polyhedron::{Face, Polyhedron, Stance};
 pub use geometry::rest::Rest;

@@ -1,6 +1,8 @@
 //! A rigid body that stands on points of its own, sharp or rounded.
 
 use super::feature::Feature;
+use super::form::Form;
+use super::polyhedron::Polyhedron;
 use crate::tolerance::{LEAST_ROUNDING, ONE_SUPPORT, PRINCIPAL_SPARE, UNIT_LENGTH};
 use carom_impact::ImpactError;
 use carom_impact::spatial::RigidBody;
@@ -28,6 +30,8 @@ pub struct Body {
     features: Vec<Feature>,
     round: bool,
     reach: f64,
+    /// Where it is more than the hull of its supports.
+    form: Option<Box<Form>>,
 }
 
 /// What is wrong with the numbers of a body.
@@ -172,10 +176,56 @@ impl Body {
             Some(mobility) if problems.is_empty() => {
                 let supports = features.iter().map(Feature::centre).collect();
                 let round = !features.iter().all(Feature::is_sharp);
-                Ok(Self { mass, inertia, mobility, supports, features, round, reach })
+                Ok(Self { mass, inertia, mobility, supports, features, round, reach, form: None })
             }
             _ => Err(problems),
         }
+    }
+
+    /// A body of convex pieces that are fixed to each other, from the mass centre in body axes \[m\]: it need not be convex. They may lie along each other and reach into each other; mass and inertia
+    /// are those of all of them, as given. Its supports are those of their corners that are corners of the whole: first those near the places of `first`, in that order, then the others.
+    ///
+    /// # Errors
+    /// All problems.
+    ///
+    /// # Limits
+    /// Its edges and corners are sharp.
+    ///
+    /// # Example
+    /// A bar that is cut in two has eight corners, as the whole one.
+    /// ```
+    /// use carom_motion::spatial::{Body, Polyhedron};
+    /// use carom_num::{Mat3, Vec3};
+    /// let half = |side: f64| {
+    ///     let corner = |i: usize| Vec3::new((i & 1) as f64 * side, (i >> 1 & 1) as f64 - 0.5, (i >> 2) as f64 - 0.5);
+    ///     Polyhedron::of_points(&(0..8).map(corner).collect::<Vec<_>>(), 1e-9).unwrap()
+    /// };
+    /// let last = Vec3::new(2.0, 0.5, 0.5);
+    /// let bar = Body::of_pieces(1.0, Mat3::IDENTITY, &[half(-2.0), half(2.0)], &[last]).unwrap();
+    /// assert_eq!((bar.supports().len(), bar.supports()[0]), (8, last));
+    /// // Four sides of each half, and an end.
+    /// assert_eq!(bar.polygons().len(), 10);
+    /// ```
+    pub fn of_pieces(
+        mass: f64,
+        inertia: Mat3,
+        pieces: &[Polyhedron],
+        first: &[Vec3],
+    ) -> Result<Self, Vec<BodyProblem>> {
+        let form = Form::of_pieces(pieces, first);
+        let body = Self::new(mass, inertia, form.outside().corners.clone())?;
+        Ok(Self { form: Some(Box::new(form)), ..body })
+    }
+
+    /// The faces of its pieces that are outside, by their corners, counter-clockwise as seen from outside, body axes \[m\]: a piece may hide a share of another one's. None of a body that
+    /// is the hull of its supports. [`super::world::World::touch`] numbers them so.
+    pub fn polygons(&self) -> &[Vec<Vec3>] {
+        self.form.as_ref().map_or(&[], |form| form.polygons())
+    }
+
+    /// Its form where it is more than the hull of its supports.
+    pub(super) fn form(&self) -> Option<&Form> {
+        self.form.as_deref()
     }
 
     /// A body whose axes are its principal ones, of numbers that [`Body::new`] would accept.
@@ -183,7 +233,16 @@ impl Body {
         let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max);
         let mobility = Mat3::diagonal(1.0 / a, 1.0 / b, 1.0 / c);
         let features = supports.iter().copied().map(Feature::point).collect();
-        Self { mass, inertia: Mat3::diagonal(a, b, c), mobility, supports, features, round: false, reach }
+        Self {
+            mass,
+            inertia: Mat3::diagonal(a, b, c),
+            mobility,
+            supports,
+            features,
+            round: false,
+            reach,
+            form: None,
+        }
     }
 
     /// Mass \[kg\].

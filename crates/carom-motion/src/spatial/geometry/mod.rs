@@ -1,9 +1,12 @@
 //! Bodies, the plane under them, and where they are.
 
+mod aligned;
 pub(in crate::spatial) mod body;
 pub(in crate::spatial) mod clear;
 pub(in crate::spatial) mod crossing;
+pub(in crate::spatial) mod cut;
 pub(in crate::spatial) mod feature;
+pub(in crate::spatial) mod form;
 pub(in crate::spatial) mod friction;
 pub(in crate::spatial) mod hull;
 pub(in crate::spatial) mod named;
@@ -11,6 +14,7 @@ pub(in crate::spatial) mod nearest;
 pub(in crate::spatial) mod obstacle;
 pub(in crate::spatial) mod overlap;
 pub(in crate::spatial) mod pair;
+pub(in crate::spatial) mod pieces;
 pub(in crate::spatial) mod plane;
 pub(in crate::spatial) mod polyhedron;
 pub(in crate::spatial) mod posture;

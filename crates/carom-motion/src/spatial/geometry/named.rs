@@ -32,7 +32,7 @@ pub enum Touch {
     },
     /// A face of the body on a corner of the obstacle.
     Face {
-        /// Its number among the faces of the hull of the body's points ([`super::polyhedron::Polyhedron::of_points`]).
+        /// Its number among the faces of the hull of the body's points ([`super::polyhedron::Polyhedron::of_points`]); of a body of several pieces among those faces of all of them that are not hidden.
         face: usize,
         /// The obstacle's corner.
         corner: usize,
@@ -99,7 +99,7 @@ impl World {
 
     /// The unit normal of a face of the body, outwards, body axes; `None` where there is no such face, or no obstacle that faces could touch.
     pub fn face_normal(&self, face: usize) -> Option<Vec3> {
-        self.surface.faces.get(face).map(|face| face.plane.normal())
+        self.form.outside().faces.get(face).map(|face| face.plane.normal())
     }
 
     /// The point of the body that is nearest to a place, body axes.

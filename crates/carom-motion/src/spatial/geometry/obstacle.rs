@@ -174,11 +174,7 @@ impl Obstacle {
     /// # Ok::<(), Vec<carom_motion::spatial::HullProblem>>(())
     /// ```
     pub fn solid(shape: &Polyhedron) -> Self {
-        let mut points = vec![Vec3::ZERO; shape.sources().iter().max().map_or(0, |last| last + 1)];
-        for (source, vertex) in shape.sources().iter().zip(shape.vertices()) {
-            points[*source] = *vertex;
-        }
-        Self::of(Surface::of(shape, &points))
+        Self::of(Surface::of(shape, shape.vertices()))
     }
 
     /// A round pin: all places that are within a radius \[m\] of the line between two ends \[m\], so that its ends are half balls; of two ends in one place a ball.

@@ -159,6 +159,14 @@ impl Pair {
         }
     }
 
+    /// At that limit an edge ends in a corner, which touches there by itself.
+    pub(in crate::spatial) fn ends_in_corner(&self, limit: usize) -> bool {
+        match self {
+            Self::Cross(Crossing { own, other, .. }) => [own.corners, other.corners].as_flattened()[limit],
+            Self::Corner { .. } | Self::Round(_) => false,
+        }
+    }
+
     /// How fast that changes [m/s].
     pub(in crate::spatial) fn margin_rate(&self, limit: usize, state: &State) -> f64 {
         match self {

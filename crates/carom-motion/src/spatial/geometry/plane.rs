@@ -113,4 +113,25 @@ impl Plane {
     pub(in crate::spatial) fn onto(&self, place: Vec3) -> Vec3 {
         place - self.normal * self.height(place)
     }
+
+    /// The same places, seen from the other side.
+    pub(in crate::spatial) fn flipped(&self) -> Self {
+        Self::of_unit(-self.normal, -self.offset)
+    }
+
+    /// What of a convex polygon is behind it, or on it.
+    pub(in crate::spatial) fn behind(&self, polygon: &[Vec3]) -> Vec<Vec3> {
+        let mut kept = vec![];
+        for (k, &to) in polygon.iter().enumerate() {
+            let from = polygon[(k + polygon.len() - 1) % polygon.len()];
+            let (a, b) = (self.height(from), self.height(to));
+            if a * b < 0.0 {
+                kept.push(from + (to - from) * (a / (a - b)));
+            }
+            if b <= 0.0 {
+                kept.push(to);
+            }
+        }
+        kept
+    }
 }

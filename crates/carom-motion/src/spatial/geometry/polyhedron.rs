@@ -1,6 +1,7 @@
 //! A convex polyhedron: the hull of points, its faces, what fills it, and on which faces it may rest.
 
 use super::hull::{self, Faces, HullProblem, newell, sides};
+use super::plane::Plane;
 use super::solid::{Mesh, MeshProblem, Solid};
 use crate::tolerance::{INDEPENDENT_NORMALS, THINNEST_BODY, VERTEX_ON_FACE};
 use carom_num::{Mat3, Vec3};
@@ -124,6 +125,49 @@ impl Polyhedron {
     /// The same faces of other vertices, as many as these.
     pub(super) fn with_vertices(&self, vertices: Vec<Vec3>) -> Self {
         Self { vertices, ..self.clone() }
+    }
+
+    /// The same one elsewhere \[m\].
+    #[must_use]
+    pub fn moved_by(&self, by: Vec3) -> Self {
+        self.with_vertices(self.vertices.iter().map(|r| *r + by).collect())
+    }
+
+    /// What of it is behind a plane; places within `flatness` \[m\] of that are on it. `None` where that has no volume.
+    ///
+    /// # Example
+    /// Half a cube.
+    /// ```
+    /// use carom_motion::spatial::{Plane, Polyhedron, examples};
+    /// use carom_num::Vec3;
+    /// let cube = Polyhedron::of_points(&examples::cube_corners(), 1e-9).unwrap();
+    /// let half = cube.behind(&Plane::new(Vec3::Z, 0.5).unwrap(), 1e-9).unwrap();
+    /// assert_eq!((half.vertices().len(), half.solid().unwrap().volume), (8, 0.5));
+    /// assert_eq!(cube.behind(&Plane::FLOOR, 1e-9), None);
+    /// ```
+    pub fn behind(&self, plane: &Plane, flatness: f64) -> Option<Self> {
+        let height = |vertex: usize| plane.height(self.vertices[vertex]);
+        let mut points: Vec<Vec3> =
+            self.vertices.iter().copied().filter(|r| plane.height(*r) <= flatness).collect();
+        for (i, j) in self.faces.iter().flat_map(|face| sides(&face.corners)).filter(|(i, j)| i < j) {
+            let (a, b) = (height(i), height(j));
+            if a.abs() > flatness && b.abs() > flatness && a * b < 0.0 {
+                points.push(self.vertices[i] + (self.vertices[j] - self.vertices[i]) * (a / (a - b)));
+            }
+        }
+        Self::of_points(&points, flatness).ok()
+    }
+
+    /// The same faces with these normals, and vertices at these places on them.
+    pub(super) fn placed(&self, vertices: Vec<Vec3>, normals: impl Iterator<Item = Vec3>) -> Self {
+        let turned = |(face, normal): (&Face, Vec3)| Face { normal, ..face.clone() };
+        let faces = self.faces.iter().zip(normals).map(turned).collect();
+        Self { vertices, faces, ..self.clone() }
+    }
+
+    /// The area of a face [m²].
+    pub(super) fn area(&self, face: usize) -> f64 {
+        0.5 * newell(&places(&self.vertices, &self.faces[face].corners)).norm()
     }
 
     /// Its vertices, in the order of the points that they were \[m\].
@@ -308,7 +352,7 @@ fn level(vertices: &mut [Vec3], faces: &Faces) {
 }
 
 /// The shortest step that goes so far along each normal; of more than three, as nearly as can be.
-fn step(asked: &[(Vec3, f64)]) -> Vec3 {
+pub(super) fn step(asked: &[(Vec3, f64)]) -> Vec3 {
     match *asked {
         [] => Vec3::ZERO,
         [(n, off)] => n * off,

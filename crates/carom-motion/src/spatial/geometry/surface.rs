@@ -41,6 +41,8 @@ pub(in crate::spatial) struct Edge {
     pub(in crate::spatial) sides: [Vec3; 2],
     /// The middle of the directions in which its outside lies.
     pub(in crate::spatial) outward: Vec3,
+    /// Whether it ends in a corner, where it begins and where it ends: in an inner corner it does not.
+    pub(in crate::spatial) corners: [bool; 2],
 }
 
 /// Faces, edges and corners.
@@ -96,14 +98,16 @@ impl Edge {
     fn between(from: Vec3, to: Vec3, [first, second]: [Vec3; 2]) -> Option<Self> {
         let along = (to - from).unit()?;
         let sides = [first.cross(along), along.cross(second)];
-        Some(Self { from, along, length: (to - from).norm(), sides, outward: first + second })
+        let (length, outward) = ((to - from).norm(), first + second);
+        Some(Self { from, along, length, sides, outward, corners: [true; 2] })
     }
 
     /// The edge of a thin plate with this normal, counter-clockwise around it.
     pub(in crate::spatial) fn of_plate(from: Vec3, to: Vec3, normal: Vec3) -> Option<Self> {
         let along = (to - from).unit()?;
         let inward = normal.cross(along);
-        Some(Self { from, along, length: (to - from).norm(), sides: [inward; 2], outward: -inward })
+        let (length, outward) = ((to - from).norm(), -inward);
+        Some(Self { from, along, length, sides: [inward; 2], outward, corners: [true; 2] })
     }
 
     /// The middle of the edge.
@@ -121,7 +125,8 @@ impl Surface {
         let Some(along) = (last - first).unit() else { return none };
         let length = (last - first).norm();
         // No face ends it: it touches all around.
-        let edge = Edge { from: first, along, length, sides: [Vec3::ZERO; 2], outward: Vec3::ZERO };
+        let (sides, outward) = ([Vec3::ZERO; 2], Vec3::ZERO);
+        let edge = Edge { from: first, along, length, sides, outward, corners: [true; 2] };
         Self { edges: vec![edge], spokes: vec![vec![along], vec![-along]], ..none }
     }
 
@@ -204,9 +209,9 @@ impl Surface {
         axes.map(gap).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// That of a polyhedron whose vertices are these of some points.
-    pub(in crate::spatial) fn of(shape: &Polyhedron, points: &[Vec3]) -> Self {
-        let place = |vertex: usize| points[shape.sources()[vertex]];
+    /// That of a polyhedron whose vertices are at these places.
+    pub(in crate::spatial) fn of(shape: &Polyhedron, places: &[Vec3]) -> Self {
+        let place = |vertex: usize| places[vertex];
         let faces = shape.faces().iter().map(|face| {
             let corners: Vec<Vec3> = face.corners.iter().map(|i| place(*i)).collect();
             Facet::of(face.normal, &corners)
@@ -226,7 +231,6 @@ impl Surface {
                 }
             }
         }
-        let corners = (0..shape.vertices().len()).map(place).collect();
-        Self { faces: faces.collect(), edges, corners, spokes, radius: 0.0 }
+        Self { faces: faces.collect(), edges, corners: places.to_vec(), spokes, radius: 0.0 }
     }
 }

@@ -258,7 +258,7 @@ impl World {
     fn turned_away(&self, number: usize, state: &State) -> f64 {
         let features = self.body().features().len();
         let up = state.attitude.undo(self.support(number).plane.normal());
-        let spokes = self.spokes[number % features].iter().map(|spoke| -spoke.dot(up));
+        let spokes = self.form.spokes(number % features).iter().map(|spoke| -spoke.dot(up));
         spokes.fold(f64::NEG_INFINITY, f64::max) - BETWEEN_FACES
     }
 
@@ -350,7 +350,8 @@ impl World {
         };
         let still = self.still(state);
         // An edge that ends just on another one touches with its corner: a box slides over the seam of two plates.
-        let least = if matches!(self.pair(number), Some(Pair::Cross(_))) { still } else { -still };
+        let by_corner = self.pair(number).is_some_and(|pair| pair.ends_in_corner(limit));
+        let least = if by_corner { still } else { -still };
         [0.5 * beyond - margin, least - rate]
     }
 }

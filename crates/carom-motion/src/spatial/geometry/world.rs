@@ -2,15 +2,15 @@
 
 use super::body::Body;
 use super::feature::Feature;
+use super::form::Form;
 use super::friction::{Friction, FrictionProblem};
 use super::hull::HullProblem;
 use super::obstacle::{Obstacle, Rough};
 use super::pair::{Pair, pairs_of};
 use super::plane::Plane;
-use super::polyhedron::Polyhedron;
 use super::supports::Supports;
 use super::surface::{Limit, Surface};
-use crate::tolerance::{LEAST_ROUNDING, ON_EDGE, ONE_SUPPORT};
+use crate::tolerance::{LEAST_ROUNDING, ON_EDGE};
 use carom_num::Vec3;
 use std::ops::Range;
 use thiserror::Error;
@@ -39,9 +39,8 @@ pub struct World {
     /// Within what each of the planes is a face.
     pub(super) limits: Vec<Vec<Limit>>,
     pub(super) pairs: Vec<Pair>,
-    /// The body's faces and edges, where obstacles have some, unit vectors from each of its points along its edges, and the obstacles.
-    pub(super) surface: Surface,
-    pub(super) spokes: Vec<Vec<Vec3>>,
+    /// The body's faces and edges, where obstacles have some; and the obstacles.
+    pub(super) form: Form,
     pub(super) obstacles: Vec<Surface>,
     /// Which planes and pairs are theirs.
     pub(super) shares: Vec<Share>,
@@ -177,8 +176,7 @@ impl World {
             planes: vec![Plane::FLOOR],
             limits: vec![vec![]],
             pairs: vec![],
-            surface: Surface::default(),
-            spokes: vec![],
+            form: Form::default(),
             obstacles: vec![],
             shares: vec![Share { planes: 0..1, pairs: 0..0 }],
         }
@@ -228,12 +226,12 @@ impl World {
         let obstacles: Vec<Obstacle> = obstacles.into_iter().map(Into::into).collect();
         let rough: Vec<Rough> = obstacles.iter().map(|obstacle| obstacle.rough).collect();
         let obstacles: Vec<Surface> = obstacles.into_iter().map(|obstacle| obstacle.surface).collect();
-        let (surface, spokes) = surface_of(&self.body, &obstacles)?;
+        let form = form_among(&self.body, &obstacles)?;
         let (mut pairs, mut shares, mut planes) = (vec![], vec![], 0);
         for obstacle in &obstacles {
             let (first, from) = (planes, pairs.len());
             planes += obstacle.faces.len();
-            pairs.extend(pairs_of(&surface, obstacle));
+            pairs.extend(pairs_of(form.outside(), obstacle));
             shares.push(Share { planes: first..planes, pairs: from..pairs.len() });
         }
         let raised = |obstacle: &Surface| {
@@ -246,7 +244,7 @@ impl World {
             return Err(ObstaclesProblem::Count { pairs: count });
         }
         friction.check(count).map_err(ObstaclesProblem::Friction)?;
-        let world = Self { planes, limits, pairs, surface, spokes, obstacles, shares, ..self };
+        let world = Self { planes, limits, pairs, form, obstacles, shares, ..self };
         world.roughened(&rough).map_err(ObstaclesProblem::Friction)
     }
 
@@ -331,36 +329,16 @@ impl World {
     }
 }
 
-/// The body's faces and edges, and unit vectors from each of its points along its edges; none where no obstacle has ends.
-fn surface_of(body: &Body, obstacles: &[Surface]) -> Result<(Surface, Vec<Vec<Vec3>>), ObstaclesProblem> {
+/// The body's form; none where no obstacle has ends.
+fn form_among(body: &Body, obstacles: &[Surface]) -> Result<Form, ObstaclesProblem> {
     if obstacles.iter().all(|obstacle| obstacle.corners.is_empty()) {
-        return Ok((Surface::default(), vec![]));
+        return Ok(Form::default());
     }
-    let radius = body.rounding().ok_or(ObstaclesProblem::Round)?;
+    let form = Form::of(body)?;
     let least = LEAST_ROUNDING * body.reach();
-    let radii = obstacles.iter().map(|obstacle| obstacle.radius).chain([radius]);
-    if let Some(radius) = radii.into_iter().find(|radius| *radius > 0.0 && *radius < least) {
-        return Err(ObstaclesProblem::Sharp { radius, least });
+    let radii = obstacles.iter().map(|obstacle| obstacle.radius).chain([form.outside().radius]);
+    match radii.into_iter().find(|radius| *radius > 0.0 && *radius < least) {
+        Some(radius) => Err(ObstaclesProblem::Sharp { radius, least }),
+        None => Ok(form),
     }
-    form_of(body)
-}
-
-/// The same of a body by itself.
-pub(super) fn form_of(body: &Body) -> Result<(Surface, Vec<Vec<Vec3>>), ObstaclesProblem> {
-    let radius = body.rounding().ok_or(ObstaclesProblem::Round)?;
-    if radius > 0.0 && body.supports().len() <= 2 {
-        let surface = Surface::of_round(body.supports(), radius);
-        let spokes = surface.spokes.clone();
-        return Ok((surface, spokes));
-    }
-    let (points, flatness) = (body.supports(), ONE_SUPPORT * body.reach());
-    let shape = Polyhedron::of_points(points, flatness).map_err(|problems| {
-        ObstaclesProblem::Shape(problems.into_iter().next().unwrap_or(HullProblem::Unclear { flatness }))
-    })?;
-    let surface = Surface { radius, ..Surface::of(&shape, points) };
-    let mut spokes = vec![vec![]; points.len()];
-    for (source, own) in shape.sources().iter().zip(&surface.spokes) {
-        spokes[*source].clone_from(own);
-    }
-    Ok((surface, spokes))
 }

@@ -29,7 +29,14 @@ where
 fn pairs() -> Vec<Pair> {
     let edge = |from: Vec3, along: Vec3, outward: Vec3| {
         let along = along.unit().unwrap();
-        Edge { from, along, length: 0.7, sides: [along.cross(outward), outward.cross(along)], outward }
+        Edge {
+            from,
+            along,
+            length: 0.7,
+            sides: [along.cross(outward), outward.cross(along)],
+            outward,
+            corners: [true; 2],
+        }
     };
     let own = edge(Vec3::new(-0.3, 0.05, -0.1), Vec3::new(1.0, 0.1, -0.2), -Vec3::Z);
     let other = edge(Vec3::new(0.1, -0.4, 0.0), Vec3::new(0.2, 1.0, 0.1), Vec3::Z);
@@ -136,6 +143,7 @@ fn what_is_turned_away_stays_so_for_as_long_as_is_said() {
         length: 1.0,
         sides: [Vec3::new(0.0, 0.3, 1.0).unit().unwrap(), Vec3::new(0.0, -0.2, 1.0).unit().unwrap()],
         outward: -Vec3::Z,
+        corners: [true; 2],
     };
     let other = Edge::of_plate(Vec3::ZERO, Vec3::Y, Vec3::Z).unwrap();
     let pair = Pair::Cross(Crossing { own, other, radius: 0.0, own_radius: 0.0 });

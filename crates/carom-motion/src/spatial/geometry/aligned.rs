@@ -1,0 +1,84 @@
+//! Pieces of one body whose faces lie on the same planes.
+
+use super::hull::welded;
+use super::polyhedron::{Polyhedron, step};
+use carom_num::Vec3;
+
+/// How far corners of faces on one plane may be from it, in units of the flatness that they were told apart with.
+const ON_PLANE: f64 = 4.0;
+
+/// A plane on which faces of pieces lie, on either side.
+struct Common {
+    normal: Vec3,
+    offset: f64,
+}
+
+impl Common {
+    fn off(&self, place: Vec3) -> f64 {
+        self.offset - self.normal.dot(place)
+    }
+}
+
+/// The same pieces, moved by little more than the flatness \[m\]: faces that lie on one plane do so to the last digits, and corners in one place too. What slides from a face of one piece
+/// to that of another meets no step.
+pub(super) fn aligned(pieces: &[Polyhedron], flatness: f64) -> Vec<Polyhedron> {
+    let near = ON_PLANE * flatness;
+    let (planes, on) = planes(pieces, near);
+    let places: Vec<Vec3> = pieces.iter().flat_map(Polyhedron::vertices).copied().collect();
+    let stands = welded(&places, near);
+    let mut asked: Vec<Vec<usize>> = vec![vec![]; places.len()];
+    let mut from = 0;
+    for (piece, on) in pieces.iter().zip(&on) {
+        for (face, plane) in piece.faces().iter().zip(on) {
+            for corner in &face.corners {
+                asked[stands[from + corner]].push(*plane);
+            }
+        }
+        from += piece.vertices().len();
+    }
+    let moved = |k: usize| {
+        let place = places[stands[k]];
+        let mut own = asked[stands[k]].clone();
+        own.sort_unstable();
+        own.dedup();
+        let off: Vec<(Vec3, f64)> =
+            own.iter().map(|plane| (planes[*plane].normal, planes[*plane].off(place))).collect();
+        place + step(&off)
+    };
+    let mut from = 0;
+    let placed = |(piece, on): (&Polyhedron, &Vec<usize>)| {
+        let vertices = (from..from + piece.vertices().len()).map(moved).collect();
+        from += piece.vertices().len();
+        let turned = |(face, plane): (&super::polyhedron::Face, &usize)| {
+            let normal = planes[*plane].normal;
+            if normal.dot(face.normal) < 0.0 { -normal } else { normal }
+        };
+        piece.placed(vertices, piece.faces().iter().zip(on).map(turned))
+    };
+    pieces.iter().zip(&on).map(placed).collect()
+}
+
+/// The planes of all faces, and of each piece on which of them each face lies.
+fn planes(pieces: &[Polyhedron], near: f64) -> (Vec<Common>, Vec<Vec<usize>>) {
+    let mut all: Vec<(usize, usize, f64)> = vec![];
+    for (k, piece) in pieces.iter().enumerate() {
+        all.extend((0..piece.faces().len()).map(|face| (k, face, piece.area(face))));
+    }
+    // The plane of the largest face is known best.
+    all.sort_by(|a, b| b.2.total_cmp(&a.2));
+    let mut planes: Vec<Common> = vec![];
+    let mut on: Vec<Vec<usize>> = pieces.iter().map(|piece| vec![0; piece.faces().len()]).collect();
+    for (k, face, _) in all {
+        let (piece, own) = (&pieces[k], &pieces[k].faces()[face]);
+        let places: Vec<Vec3> = own.corners.iter().map(|i| piece.vertices()[*i]).collect();
+        let found = planes.iter().position(|plane| places.iter().all(|r| plane.off(*r).abs() <= near));
+        on[k][face] = found.unwrap_or_else(|| {
+            #[expect(clippy::cast_precision_loss, reason = "a handful")]
+            let count = places.len() as f64;
+            let offset = places.iter().map(|r| own.normal.dot(*r)).sum::<f64>() / count;
+            planes.push(Common { normal: own.normal, offset });
+            planes.len() - 1
+        });
+    }
+    (planes, on)
+}
