@@ -36,3 +36,5 @@ pub(crate) const V_ANGLES: [f64; 2] = [PI / 18.0, 17.0 * PI / 18.0];
 pub(crate) const BOX_HULL: f64 = 1e-12;
 /// Places of a surface that is drawn are of one face within this part of the body's reach.
 pub(crate) const DRAWN_FLAT: f64 = 1e-9;
+/// What is no farther from the plane of a face than this, in units of the part's reach, is on that face.
+pub(crate) const ON_FACE: f64 = 1e-6;

@@ -17,4 +17,5 @@ mod random_feeders;
 mod spatial;
 mod spatial_discs;
 mod spatial_grooves;
+mod spatial_hollows;
 mod strikes;

@@ -3,7 +3,7 @@
 use crate::player::json_text;
 use crate::solid::SolidInstant;
 use crate::space_scene::SpaceScene;
-use carom_feeder::spatial::{Feeder, Run};
+use carom_feeder::spatial::{Feeder, Run, Shown};
 use carom_num::Vec3;
 use carom_num::solve::dot;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -59,10 +59,11 @@ pub fn space_glb(feeder: &Feeder, run: &Run) -> Vec<u8> {
 
 /// The triangles of the part by their materials.
 fn part_pieces(feeder: &Feeder) -> [(usize, Vec<[Vec3; 3]>); 2] {
-    let (corners, faces) = feeder.part.shown();
+    let Shown { corners, faces, numbers } = feeder.part.shown();
     let of = |face: &Vec<usize>| fan(&face.iter().map(|corner| corners[*corner]).collect::<Vec<_>>());
     let faces = faces.iter().enumerate();
-    let (down, others): (Vec<_>, Vec<_>) = faces.partition(|(face, _)| *face == feeder.start.face);
+    let (down, others): (Vec<_>, Vec<_>) =
+        faces.partition(|(face, _)| numbers.get(*face) == Some(&feeder.start.face));
     let all = |faces: Vec<(usize, &Vec<usize>)>| faces.into_iter().flat_map(|(_, face)| of(face)).collect();
     [(PART, all(others)), (START_FACE, all(down))]
 }

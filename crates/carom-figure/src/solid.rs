@@ -19,8 +19,8 @@ pub struct SolidDrawing<'a> {
     pub corners: &'a [Vec3],
     /// The corners of each plane face, counter-clockwise as seen from outside.
     pub faces: &'a [Vec<usize>],
-    /// So many of them, the first, have numbers; the others are facets of round edges.
-    pub numbered: usize,
+    /// The numbers of the first of them, where not each has its own: the others are facets of round edges, or in a hollow.
+    pub numbers: Option<&'a [usize]>,
     /// Lines beside the faces, between corners.
     pub lines: &'a [[usize; 2]],
     /// The points on which it stands [m].

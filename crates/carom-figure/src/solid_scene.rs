@@ -114,10 +114,10 @@ pub(crate) fn numbers(figure: &SolidFigure<'_>) -> String {
             format!("[{},{:?}{}]", s.time, points.collect::<Vec<_>>(), more(&s.places, size))
         })
         .collect();
-    let numbered = drawing.numbered.min(faces.len());
-    let numbered = if numbered < faces.len() { format!("\"numbered\":{numbered},") } else { String::new() };
+    let own = drawing.numbers.filter(|numbers| !numbers.iter().copied().eq(0..faces.len()));
+    let numbers = own.map(|numbers| format!("\"numbers\":{numbers:?},")).unwrap_or_default();
     format!(
-        "{{\"corners\":[{}],\"faces\":[{}],{numbered}\"lines\":{:?},\"points\":[{}],\"names\":[{}],\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]{}}}",
+        "{{\"corners\":[{}],\"faces\":[{}],{numbers}\"lines\":{:?},\"points\":[{}],\"names\":[{}],\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]{}}}",
         places(drawing.corners),
         faces.join(","),
         drawing.lines,

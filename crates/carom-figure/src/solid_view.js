@@ -3,7 +3,7 @@
 function solidView(root, canvas, numbers, poseAt, named, view) {
   "use strict";
   const { corners, faces, lines, points, names, samples, stages, strikes } = numbers;
-  const numbered = numbers.numbered ?? faces.length;
+  const numberOf = numbers.numbers ?? faces.map((_, i) => i);
   // Of every corner of the drawing the point that it is at: round corners are drawn with several.
   const apart = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
   const owner = corners.map((r) => points.reduce((best, p, i) => (apart(r, p) < apart(r, points[best]) ? i : best), 0));
@@ -279,10 +279,10 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
       pen.fillText(text, x - half, y + 5);
     };
     const front = faces.map((face, i) => [i, face.map((k) => seen[k]), area(face.map((k) => seen[k]))]);
-    const shown = front.filter(([i, , size]) => i < numbered && size < -420).sort((a, b) => a[2] - b[2]);
+    const shown = front.filter(([i, , size]) => numberOf[i] !== undefined && size < -420).sort((a, b) => a[2] - b[2]);
     for (const [i, places] of shown) {
       const middle = [0, 1].map((k) => places.reduce((sum, at) => sum + at[k], 0) / places.length);
-      put(String(i), ...middle, "700 15px system-ui, sans-serif", c.blue);
+      put(String(numberOf[i]), ...middle, "700 15px system-ui, sans-serif", c.blue);
     }
     const centre = [0, 1].map((k) => seen.reduce((sum, at) => sum + at[k], 0) / seen.length);
     const named = new Map();

@@ -6,7 +6,7 @@ use crate::markup::{Markup, document, html, joined};
 use crate::svg;
 use crate::tolerance::{EDGE_ON, LEAST_SHEET};
 use crate::view::View;
-use carom_feeder::spatial::{Feeder, WallForm};
+use carom_feeder::spatial::{Feeder, Shown, WallForm};
 use carom_feeder::{Form, Part, PartKind, Plate, Start, Wall};
 use carom_motion::planar::{Body, Shape};
 use carom_num::{Vec2, Vec3};
@@ -85,7 +85,7 @@ fn drawing(feeder: &Feeder) -> Option<carom_feeder::Feeder> {
 /// The faces of the part that look towards the viewer, where it lies at the start, the face that is down, and the mass centre.
 fn part(feeder: &Feeder, view: &View) -> Markup {
     let state = feeder.start_state();
-    let (corners, faces) = feeder.part.shown();
+    let Shown { corners, faces, numbers } = feeder.part.shown();
     let middle = Vec2::new(state.centre.x, state.centre.y);
     let seen: Vec<Vec2> =
         corners.iter().map(|corner| state.place(*corner)).map(|r| Vec2::new(r.x, r.y)).collect();
@@ -101,7 +101,8 @@ fn part(feeder: &Feeder, view: &View) -> Markup {
         face.iter().zip(next).map(|(a, b)| (seen[*a] - middle).cross(seen[*b] - middle)).sum::<f64>() > least
     };
     let shown = faces.iter().filter(is_towards).map(|face| svg::path("body", &outline(face)));
-    let down = faces.get(feeder.start.face).map(|face| svg::path("mark", &outline(face)));
+    let down = faces.iter().zip(&numbers).filter(|(_, number)| **number == feeder.start.face);
+    let down = down.map(|(face, _)| svg::path("mark", &outline(face)));
     let centre = view.at(middle);
     html! {
         g class="ghost stage" { (joined(shown)) (joined(down)) }

@@ -4,7 +4,7 @@ use crate::solid::{SolidDrawing, SolidFigure, SolidInstant, SolidPlate, SolidSta
 use crate::space_plates::near;
 use crate::space_rows::space_tilt;
 use carom_feeder::StageEnd;
-use carom_feeder::spatial::{Feeder, Plate, Prepared, Run};
+use carom_feeder::spatial::{Feeder, Plate, Prepared, Run, Shown};
 use carom_motion::spatial::{Impact, Mode, Options, State, Supports, Touch};
 use carom_num::{Rotation, Vec2, Vec3};
 use carom_words::{Words, part};
@@ -19,6 +19,7 @@ const WAY: usize = 400;
 pub(crate) struct SpaceScene {
     corners: Vec<Vec3>,
     faces: Vec<Vec<usize>>,
+    numbers: Vec<usize>,
     names: Vec<String>,
     around: Vec<SolidPlate>,
     pub(crate) instants: Vec<SolidInstant>,
@@ -48,10 +49,11 @@ impl SpaceScene {
             start: stage.start_time,
             end: stage.end_time.min(last),
         });
-        let (shown, faces) = feeder.part.shown();
+        let Shown { corners: shown, faces, numbers } = feeder.part.shown();
         Self {
             corners: shown,
             faces,
+            numbers,
             names: (0..corners.len()).map(|corner| corner.to_string()).collect(),
             around: around.into_iter().map(upright_plate).collect(),
             instants: own.into_iter().map(upright_instant).collect(),
@@ -65,8 +67,8 @@ impl SpaceScene {
     /// The same as a figure of a body in space.
     pub(crate) fn figure<'a>(&'a self, feeder: &'a Feeder) -> SolidFigure<'a> {
         let (corners, faces, points) = (&self.corners, &self.faces, feeder.part.body.supports());
-        let numbered = feeder.part.faces.len();
-        let drawing = SolidDrawing { corners, faces, numbered, lines: &[], points, names: &self.names };
+        let numbers = Some(&self.numbers[..]);
+        let drawing = SolidDrawing { corners, faces, numbers, lines: &[], points, names: &self.names };
         SolidFigure {
             title: "",
             verdict: "",

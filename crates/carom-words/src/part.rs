@@ -65,7 +65,10 @@ impl Names for spatial::Feeder {
             Touch::Point { point, .. }
             | Touch::PointOnEdge { point, .. }
             | Touch::PointOnCorner { point, .. } => format!("corner {point}"),
-            Touch::Face { face, .. } => format!("face {face}"),
+            Touch::Face { face, .. } => match face.checked_sub(self.part.faces.len()) {
+                None => format!("face {face}"),
+                Some(inner) => format!("face {inner} in a hollow"),
+            },
             Touch::Edge { ends: [a, b], .. } | Touch::EdgeOnCorner { ends: [a, b], .. } => {
                 format!("edge {a}–{b}")
             }

@@ -3,6 +3,7 @@
 use super::Told;
 use crate::table::fixed;
 use carom::tasks::solid::words::named;
+use carom_feeder::spatial::Shown;
 use carom_figure::{PoseBody, SolidDrawing, SolidInstant};
 use carom_scene::{SolidFaceReport, SolidThrows, Thrown};
 use carom_study::poses::{Pose, Poses};
@@ -67,7 +68,7 @@ impl Told for SolidThrows<'_> {
     const THROWS: u64 = 512;
     const NO_FACES: &'static str = "its hull has no faces";
     const WAYS: [&'static str; 2] = ["level", "about any axis"];
-    const MODEL: &'static str = "The model: rigid part, level ground, dry friction after Coulomb; tolerances of the scene are not used. The part touches with its hull.";
+    const MODEL: &'static str = "The model: rigid part, level ground, dry friction after Coulomb; tolerances of the scene are not used.";
     const NOTE: &'static str = NOTE;
 
     fn table(faces: &[SolidFaceReport]) -> Vec<Vec<String>> {
@@ -84,13 +85,13 @@ impl Told for SolidThrows<'_> {
 
     fn page(&self, found: &Poses, page: impl Fn(PoseBody<'_>) -> String) -> String {
         let part = &self.scene().feeder().part;
-        let (corners, faces) = part.shown();
+        let Shown { corners, faces, numbers } = part.shown();
         let points = part.body.supports();
         let names: Vec<String> = (0..points.len()).map(|corner| corner.to_string()).collect();
         let drawing = SolidDrawing {
             corners: &corners,
             faces: &faces,
-            numbered: part.faces.len(),
+            numbers: Some(&numbers),
             lines: &[],
             points,
             names: &names,

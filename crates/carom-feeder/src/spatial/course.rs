@@ -1,13 +1,14 @@
 //! From what happens to a verdict.
 
 use super::drop::Prepared;
+use super::part::Face;
 use super::run::{Exit, Run};
 use super::stages::stages;
 use crate::drop::RunError;
 use crate::feeder::Stop;
 use crate::run::{Effort, Jam, JamKind, Landing, Outcome, Touch, Verdict};
 use crate::seen::{Seen, with_speeds};
-use crate::tolerance::FLAT_FACE;
+use crate::tolerance::{FLAT_FACE, ON_FACE};
 use carom_impact::spatial::Conclusion;
 use carom_motion::MotionError;
 use carom_motion::spatial::{
@@ -245,10 +246,14 @@ impl<'p, 'f> Watcher<'p, 'f> {
             if !self.prepared.are_wide(own, state) {
                 return None;
             }
-            let up = world.normal_at(own.iter().next()?, state);
+            let first = own.iter().next()?;
+            let (up, place) = (world.normal_at(first, state), world.touches_at(first, state)?);
             let down = -state.attitude.undo(up);
-            let turned = |face: &super::feeder::Face| (face.normal - down).norm();
-            feeder.part.faces.iter().position(|face| turned(face) <= FLAT_FACE)
+            let turned = |face: &Face| (face.normal - down).norm() <= FLAT_FACE;
+            // In a hollow it may hang on what is parallel to a face.
+            let near = ON_FACE * world.body().reach();
+            let is_on = |face: &Face| (down.dot(place) - face.depth).abs() <= near;
+            feeder.part.faces.iter().position(|face| turned(face) && is_on(face))
         };
         (first..first + carriers).find_map(face_on)
     }

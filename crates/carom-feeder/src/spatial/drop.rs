@@ -281,12 +281,12 @@ impl Prepared<'_> {
         pairs.map(wide).fold(0.0, f64::max) > ON_ONE_LINE * reach * reach
     }
 
-    /// What of the part touches what of an obstacle, faces by their numbers among [`super::feeder::Part::faces`]; of a support that there is not, corner 0.
+    /// What of the part touches what of an obstacle, faces by their numbers among [`super::part::Part::faces`], and after those the faces in hollows; of a support that there is not, corner 0.
     pub fn touch(&self, support: usize) -> Touch {
         match self.world.touch(support).unwrap_or(Touch::Point { point: 0, face: 0 }) {
             Touch::Face { face, corner } => {
-                let own = self.world.face_normal(face).and_then(|normal| self.feeder.part.facing(normal));
-                Touch::Face { face: own.unwrap_or(face), corner }
+                let normal = self.world.face_normal(face).unwrap_or(Vec3::ZERO);
+                Touch::Face { face: self.feeder.part.numbered(face, normal), corner }
             }
             other => other,
         }

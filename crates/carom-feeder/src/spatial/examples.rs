@@ -1,6 +1,7 @@
 //! Small feeders in space that examples and tests share.
 
-use super::feeder::{CrossSection, Feeder, Part, Plate, Start};
+use super::feeder::{CrossSection, Feeder, Plate, Start};
+use super::part::Part;
 use crate::feeder::Stop;
 use crate::tolerance::BOX_HULL;
 use carom_motion::spatial::Polyhedron;

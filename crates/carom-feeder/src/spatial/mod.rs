@@ -7,10 +7,12 @@ mod course;
 mod drop;
 pub mod examples;
 mod feeder;
+mod part;
 mod run;
 mod sheets;
 mod stages;
 
 pub use drop::Prepared;
-pub use feeder::{CrossSection, Face, Feeder, Part, PartProblem, Plate, Start, Wall, WallForm};
+pub use feeder::{CrossSection, Feeder, Plate, Start, Wall, WallForm};
+pub use part::{Face, Part, PartProblem, Shown};
 pub use run::{Exit, Run};

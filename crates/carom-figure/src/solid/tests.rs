@@ -29,7 +29,7 @@ fn page(times: &[f64]) -> String {
         drawing: SolidDrawing {
             corners: &corners,
             faces: &faces,
-            numbered: faces.len(),
+            numbers: None,
             lines: &[],
             points: &corners,
             names: &names,

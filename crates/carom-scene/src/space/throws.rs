@@ -4,8 +4,8 @@ use super::SpaceScene;
 use crate::face_report::SolidFaceReport;
 use crate::part_throws::{Thrown, read_ranges};
 use crate::quantity::Quantity;
-use crate::roll::spatial::{THROW_DIMENSIONS, Throw, face_of, lying, options_of_throws};
-use carom_motion::spatial::{Friction, Options, State, World};
+use crate::roll::spatial::{THROW_DIMENSIONS, Throw, lying, options_of_throws};
+use carom_motion::spatial::{Friction, Options, State, Supports, World};
 use carom_num::Vec3;
 use carom_study::poses::{Plan, Poses, PosesError, sample, thrown_in_space};
 
@@ -94,7 +94,7 @@ impl Thrown for SolidThrows<'_> {
     fn throws(&self, plan: &Plan, done: impl Fn() + Sync) -> Result<Poses, PosesError> {
         let part = &self.scene.feeder().part;
         let faces: Vec<usize> = (0..part.faces.len()).collect();
-        let below = |held| face_of(part.faces.iter().map(|face| &face.corners[..]), held);
+        let below = |held: Supports| part.face_of(held.iter());
         let throw = |point: &[f64]| match self.release(point) {
             Some(release) => thrown_in_space((&self.world, &self.options), &release, below),
             None => carom_study::poses::Thrown::LOST,

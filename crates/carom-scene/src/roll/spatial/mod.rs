@@ -39,7 +39,7 @@ pub use strike_report::{
     SpatialStrikeReport,
 };
 pub use throws::THROW_DIMENSIONS;
-pub(crate) use throws::{face_of, lying, options_of_throws};
+pub(crate) use throws::{lying, options_of_throws};
 
 use super::RollProblems;
 use super::poses::{PosesError, shown};

@@ -95,7 +95,7 @@ pub(crate) fn options_of_throws(world: &World) -> Options {
 }
 
 /// Which of some faces, each given by its corners, a body rests on that holds these supports; `None` where they belong to no face together.
-pub(crate) fn face_of<'a>(mut faces: impl Iterator<Item = &'a [usize]>, held: Supports) -> Option<usize> {
+pub(super) fn face_of<'a>(mut faces: impl Iterator<Item = &'a [usize]>, held: Supports) -> Option<usize> {
     let on = |corners: &[usize]| corners.iter().copied().collect::<Supports>();
     faces.position(|corners| held.difference(on(corners)).is_empty())
 }

@@ -54,7 +54,7 @@ pub fn drawing(problem: &SpatialRollProblem) -> SolidDrawing<'_> {
     SolidDrawing {
         corners: &problem.drawing.corners,
         faces: &problem.drawing.faces,
-        numbered: problem.drawing.faces.len(),
+        numbers: None,
         lines: &problem.drawing.lines,
         points: problem.world.body().supports(),
         names: &problem.points,
