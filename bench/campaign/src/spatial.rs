@@ -5,9 +5,9 @@ use crate::feeders::{faulty, ready};
 use crate::tally::Tally;
 use carom_feeder::Stop;
 use carom_feeder::spatial::{CrossSection, Feeder, Part, Plate, Run, Start, Wall, WallForm};
-use carom_motion::spatial::{Options, Polyhedron, State, World};
+use carom_motion::spatial::{Face, Options, Plane, Polyhedron, Solid, State, World};
 use carom_num::segment::distance;
-use carom_num::{Vec2, Vec3};
+use carom_num::{Mat3, Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -25,7 +25,7 @@ const FLAT: f64 = 1e-9;
 /// One case: a random solid through a random feeder.
 pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
     let rng = &mut draw::numbers(seed, number);
-    let Some(feeder) = feeder(rng) else { return tally.count("drawn: no solid") };
+    let Some((feeder, pieces)) = feeder(rng) else { return tally.count("drawn: no solid") };
     let (most_steps, most_impacts, most_time) = BUDGET;
     let options = Options { most_time, most_steps, most_impacts, ..Options::default() };
     let Some(prepared) = ready(feeder.prepare(options), number, tally) else { return };
@@ -34,7 +34,7 @@ pub(crate) fn case(seed: u64, number: u64, tally: &mut Tally) {
         Ok(run) => {
             tally.count(format!("{:?}", run.outcome));
             tally.residual("energy gained", gained(prepared.world(), &run), CLOSE, number);
-            tally.residual("deepest overlap", deepest(&feeder, &run), DEEP, number);
+            tally.residual("deepest overlap", deepest(&feeder, &pieces, &run), DEEP, number);
             if run.effort.event_evaluations > SLOW {
                 tally.breaks("a search without end", number);
             }
@@ -67,11 +67,10 @@ fn gained(world: &World, run: &Run) -> f64 {
 }
 
 /// The deepest that the part is in a plate at any instant, in units of its size.
-fn deepest(feeder: &Feeder, run: &Run) -> f64 {
+fn deepest(feeder: &Feeder, pieces: &[Polyhedron], run: &Run) -> f64 {
     let body = &feeder.part.body;
-    let (size, corners) = (body.reach(), body.supports());
+    let size = body.reach();
     let radius = body.rounding().unwrap_or_default();
-    let edges = edges(&feeder.part);
     let mut sheets: Vec<([Vec3; 4], f64)> =
         feeder.plates.iter().flat_map(|plate| plate.sheets(size)).collect();
     // A pin is a sheet without width.
@@ -81,25 +80,17 @@ fn deepest(feeder: &Feeder, run: &Run) -> f64 {
     }));
     let mut deepest = 0.0_f64;
     for (_, _, state) in &run.samples.instants {
-        let place = |i: usize| state.place(corners[i]);
-        let solid = Convex {
-            corners: (0..corners.len()).map(place).collect(),
-            edges: edges.iter().map(|ends| ends.map(place)).collect(),
-            normals: feeder.part.faces.iter().map(|face| state.attitude.apply(face.normal)).collect(),
-            faces: feeder
-                .part
-                .faces
-                .iter()
-                .map(|face| face.corners.iter().map(|i| place(*i)).collect())
-                .collect(),
-        };
+        let solids: Vec<Convex> = pieces.iter().map(|piece| Convex::of(piece, state)).collect();
         let near = |(sheet, round): &&([Vec3; 4], f64)| is_near(state, size + round, sheet);
-        let depth = |(sheet, round): &([Vec3; 4], f64)| solid.depth(sheet, radius + round);
+        let depth = |(sheet, round): &([Vec3; 4], f64)| {
+            solids.iter().map(|solid| solid.depth(sheet, radius + round)).fold(0.0, f64::max)
+        };
         deepest = sheets.iter().filter(near).map(depth).fold(deepest, f64::max);
         for wall in &feeder.walls {
             if let WallForm::Beside { z } = wall.form {
                 let beyond = |corner: &Vec3| corner.z * z.signum() - z.abs();
-                deepest = solid.corners.iter().map(|r| beyond(r) + radius).fold(deepest, f64::max);
+                let corners = solids.iter().flat_map(|solid| &solid.corners);
+                deepest = corners.map(|r| beyond(r) + radius).fold(deepest, f64::max);
             }
         }
     }
@@ -112,16 +103,6 @@ fn is_near(state: &State, size: f64, sheet: &[Vec3; 4]) -> bool {
     normal.dot(state.centre - sheet[0]).abs() <= size * normal.norm()
 }
 
-/// The pairs of points that faces have side by side, each once.
-fn edges(part: &Part) -> Vec<[usize; 2]> {
-    let of_face = |corners: &Vec<usize>| {
-        let next = |i: usize| corners[(i + 1) % corners.len()];
-        (0..corners.len()).map(|i| [corners[i], next(i)]).collect::<Vec<_>>()
-    };
-    let all = part.faces.iter().flat_map(|face| of_face(&face.corners));
-    all.filter(|[a, b]| a < b).collect()
-}
-
 /// A convex solid in its place.
 struct Convex {
     corners: Vec<Vec3>,
@@ -131,6 +112,22 @@ struct Convex {
 }
 
 impl Convex {
+    fn of(piece: &Polyhedron, state: &State) -> Self {
+        let place = |i: usize| state.place(piece.vertices()[i]);
+        let faces = || piece.faces().iter();
+        let of_face = |face: &Face| {
+            let next = |k: usize| face.corners[(k + 1) % face.corners.len()];
+            (0..face.corners.len()).map(|k| [face.corners[k], next(k)]).collect::<Vec<_>>()
+        };
+        let edges = faces().flat_map(of_face).filter(|[a, b]| a < b);
+        Self {
+            corners: (0..piece.vertices().len()).map(place).collect(),
+            edges: edges.map(|ends| ends.map(place)).collect(),
+            normals: faces().map(|face| state.attitude.apply(face.normal)).collect(),
+            faces: faces().map(|face| face.corners.iter().map(|i| place(*i)).collect()).collect(),
+        }
+    }
+
     /// How far a sheet has to be moved at least to leave it, where balls of these radii, together, are about all places of both; 0 where it is beside it.
     fn depth(&self, sheet: &[Vec3; 4], radius: f64) -> f64 {
         let sharp = self.sharp_depth(sheet);
@@ -225,6 +222,52 @@ fn solid(rng: &mut Pcg64) -> Option<Part> {
     Part::of(&hull, &hull.solid().ok()?, 7850.0).ok()
 }
 
+/// The part by convex pieces, in its axes from the mass centre: now and then with a hollow, of what is beyond two planes; else one.
+fn hollowed(rng: &mut Pcg64, part: Part) -> Option<(Part, Vec<Polyhedron>)> {
+    let hull = Polyhedron::of_points(part.body.supports(), FLAT * part.body.reach()).ok()?;
+    let reach = part.body.reach();
+    let mut plane = || {
+        let normal = Vec3::new(
+            draw::between(rng, -1.0, 1.0),
+            draw::between(rng, -1.0, 1.0),
+            draw::between(rng, -1.0, 1.0),
+        );
+        Plane::new(normal.unit().unwrap_or(Vec3::Z), reach * draw::between(rng, -0.4, 0.4)).ok()
+    };
+    let (first, second) = (plane()?, plane()?);
+    let round = part.body.rounding() != Some(0.0);
+    let whole = (part, vec![hull.clone()]);
+    if round || rng.random_bool(0.7) {
+        return Some(whole);
+    }
+    Some(in_pieces(&hull, [first, second], FLAT * reach).unwrap_or(whole))
+}
+
+/// What of a solid is behind one of two planes at least.
+fn in_pieces(
+    hull: &Polyhedron,
+    [first, second]: [Plane; 2],
+    flatness: f64,
+) -> Option<(Part, Vec<Polyhedron>)> {
+    let flipped = Plane::new(-first.normal(), first.height(Vec3::ZERO)).ok()?;
+    let beyond = hull.behind(&flipped, flatness)?;
+    let pieces = vec![hull.behind(&first, flatness)?, beyond.behind(&second, flatness)?];
+    let solids: Vec<Solid> = pieces.iter().map(|piece| piece.solid().ok()).collect::<Option<_>>()?;
+    let volume: f64 = solids.iter().map(|solid| solid.volume).sum();
+    let centre = solids.iter().fold(Vec3::ZERO, |sum, solid| sum + solid.centre * (solid.volume / volume));
+    let about = |solid: &Solid| {
+        let arm = solid.centre - centre;
+        let square = arm.dot(arm);
+        solid.inertia + (Mat3::diagonal(square, square, square) - Mat3::dyad(arm, arm)) * solid.volume
+    };
+    let inertia = solids.iter().map(about).fold(Mat3::ZERO, |sum, inertia| sum + inertia);
+    let places: Vec<Vec3> = pieces.iter().flat_map(Polyhedron::vertices).copied().collect();
+    let hull = Polyhedron::of_points(&places, flatness).ok()?;
+    let density = 7850.0;
+    let part = Part::of_pieces((&hull, &pieces), centre, (density * volume, inertia * density)).ok()?;
+    Some((part, pieces.iter().map(|piece| piece.moved_by(-centre)).collect()))
+}
+
 /// A round bar, long or short, below the free edge of the first plate.
 fn pin(rng: &mut Pcg64, i: usize, size: f64, edge: Vec2) -> Wall {
     let radius = size * draw::across(rng, 0.02, 1.0);
@@ -258,7 +301,7 @@ fn rounded_or_bent(rng: &mut Pcg64, plates: &mut [Plate], size: f64) {
 }
 
 /// Two to four plates that zigzag, with a roll, ends and side walls now and then, now and then V grooves, and now and then a groove about all.
-fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
+fn feeder(rng: &mut Pcg64) -> Option<(Feeder, Vec<Polyhedron>)> {
     let part = solid(rng)?;
     let size = part.body.reach();
     let (mut plates, mut place) = (vec![], Vec2::ZERO);
@@ -314,5 +357,7 @@ fn feeder(rng: &mut Pcg64) -> Option<Feeder> {
     }
     rounded_or_bent(rng, &mut plates, size);
     let start = Start { aside: if plates[0].cross_section.is_groove() { 0.0 } else { start.aside }, ..start };
-    Some(Feeder { gravity: 9.81, stop, law, part, start, plates, walls })
+    let (part, pieces) = hollowed(rng, part)?;
+    let start = Start { face: start.face % part.faces.len(), ..start };
+    Some((Feeder { gravity: 9.81, stop, law, part, start, plates, walls }, pieces))
 }
