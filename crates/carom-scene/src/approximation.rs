@@ -50,7 +50,7 @@ impl Approximation {
     /// Of a surface whose hull touches in its place; `empty` is the share of the hull that it does not fill.
     pub(crate) fn hull_of_surface(empty: f64) -> Self {
         let text = format!(
-            "the part touches with its convex hull: {:.1} % of the hull is hollow; mass and inertia are those of the part itself",
+            "the part touches with its convex hull: {:.1} % of the hull is hollow, and hollows = true in [part] lets these touch too; mass and inertia are those of the part itself",
             100.0 * empty
         );
         Self { kind: ApproximationKind::ConvexHull, of: "part", amount: empty, unit: "1", text }

@@ -23,6 +23,7 @@ mod refusals;
 mod roll;
 mod run_report;
 mod solid_faces;
+mod solid_hollows;
 mod space;
 mod starts;
 mod truncated;

@@ -99,7 +99,12 @@ static SOLID: Table = Table {
         key(
             "file",
             Holds::Text,
-            "An STL file, looked for from the scene's folder; its hull is what touches.",
+            "An STL file, looked for from the scene's folder; its hull is what touches, unless hollows says otherwise.",
+        ),
+        key(
+            "hollows",
+            Holds::Flag,
+            "True where the part touches with the hollows of its file too, of any depth: it is cut into convex pieces. Where it is left out its hull touches.",
         ),
         key("unit", Holds::Words(length_units), "Unit of the lengths in the STL file.").or_word("mm"),
         key(
@@ -130,7 +135,7 @@ static SOLID: Table = Table {
         Rule {
             when: When::Always,
             ways: &[
-                way(When::Has("file"), &[], &["unit"]),
+                way(When::Has("file"), &[], &["unit", "hollows"]),
                 way(When::Has("vertices"), &[], &[]),
                 way(When::Has("box"), &[], &[]),
             ],

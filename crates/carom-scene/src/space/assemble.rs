@@ -148,7 +148,11 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
     if let Some((message, help)) = too_wide(solid.shape.touching().0) {
         return Err(vec![problem("part", message).with_help(help)]);
     }
-    let found = Part::about(solid.shape.touching(), centre, (mass, inertia));
+    let found = if solid.shape.pieces.is_empty() {
+        Part::about(solid.shape.touching(), centre, (mass, inertia))
+    } else {
+        Part::of_pieces((&solid.shape.hull, &solid.shape.pieces), centre, (mass, inertia))
+    };
     let mut part = found.map_err(|problems| {
         let path =
             |found: &BodyProblem| if matches!(found, BodyProblem::Mass(_)) { "part.mass" } else { "part" };
@@ -268,7 +272,7 @@ fn unwanted(plate: &PlateDrawing, faces: usize) -> Option<Problem> {
 /// What the hull adds to a surface that is not convex.
 fn hull_of(shape: &ThrownShape) -> Vec<Approximation> {
     let hull = shape.hull.solid().map_or(0.0, |hull| hull.volume);
-    if shape.convex || hull <= 0.0 {
+    if shape.convex || !shape.pieces.is_empty() || hull <= 0.0 {
         return vec![];
     }
     vec![Approximation::hull_of_surface(1.0 - shape.solid.volume / hull)]

@@ -9,12 +9,16 @@ use crate::quantity::Quantity;
 use crate::roll::bodies::unfit;
 use crate::tolerance::{CONVEX, FLAT_AS_WRITTEN};
 use crate::unit::Dimension;
-use carom_motion::spatial::{HullProblem, Mesh, Polyhedron, Rounding, RoundingProblem, Solid};
+use carom_motion::spatial::{HullProblem, Mesh, PiecesProblem, Polyhedron, Rounding, RoundingProblem, Solid};
 use carom_num::Vec3;
 
 /// Lengths of the box where no shape is written \[m\].
 const DEFAULT_BOX: Vec3 = Vec3::new(0.06, 0.04, 0.025);
 const FLAT_IN_A_FILE: f64 = 16.0 * f32::EPSILON as f64;
+/// Convex pieces of one part. Contacts are looked for between each of them and each plate.
+const MOST_PIECES: usize = 64;
+const LEAVE_HOLLOWS: &str =
+    "draw round hollows with fewer facets, or leave hollows out: then the part touches with its hull";
 /// The length of 1 in a file that says nothing else \[m\].
 const MILLIMETRE: f64 = 1e-3;
 
@@ -43,6 +47,8 @@ pub struct ThrownShape {
     pub solid: Solid,
     /// True where the hull is filled.
     pub convex: bool,
+    /// The convex pieces with which it touches where its hollows count; none where its hull touches.
+    pub pieces: Vec<Polyhedron>,
     /// Points that were given.
     pub points: usize,
     /// What rounds its edges and corners, and the radius \[m\]; `None` where they are sharp.
@@ -172,8 +178,9 @@ fn unfit_file(root: &Section<'_>, kind: ProblemKind, message: String) {
 fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<ThrownShape> {
     let Drawn { word, file, points, surface, flat } = drawn;
     let largest = points.iter().flat_map(|r| r.to_array()).map(f64::abs).fold(0.0, f64::max);
-    let hull = Polyhedron::of_points(&points, flatness.unwrap_or(flat * largest));
-    let own = surface.map(|mesh| mesh.solid());
+    let flatness = flatness.unwrap_or(flat * largest);
+    let hull = Polyhedron::of_points(&points, flatness);
+    let own = surface.as_ref().map(Mesh::solid);
     // Of a surface without a volume the sides say nothing.
     let is_solid = |hull: &Result<Polyhedron, Vec<HullProblem>>| match hull {
         Ok(_) => true,
@@ -206,6 +213,10 @@ fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<Thr
         return None;
     }
     let convex = own.volume >= filled.volume * (1.0 - CONVEX);
+    let pieces = match surface {
+        Some(mesh) if !convex => in_pieces(root, &mesh, flatness)?,
+        _ => vec![],
+    };
     Some(ThrownShape {
         word,
         file,
@@ -213,8 +224,20 @@ fn shaped(root: &Section<'_>, drawn: Drawn, flatness: Option<f64>) -> Option<Thr
         solid: if convex { filled } else { own },
         hull,
         convex,
+        pieces,
         rounding: None,
     })
+}
+
+/// The convex pieces of a surface, where its hollows count.
+fn in_pieces(root: &Section<'_>, mesh: &Mesh, flatness: f64) -> Option<Vec<Polyhedron>> {
+    if !(root.knows("hollows") && root.flag("hollows")) {
+        return Some(vec![]);
+    }
+    let told = |problem: &PiecesProblem| {
+        root.blame(ProblemKind::Geometry, "hollows", format!("{problem}: {LEAVE_HOLLOWS}"));
+    };
+    mesh.pieces(flatness, MOST_PIECES).inspect_err(told).ok()
 }
 
 /// Says why points have no hull.
