@@ -50,7 +50,7 @@ pub enum PiecesProblem {
     },
     /// What is cut out is not what the surface encloses.
     #[error(
-        "its convex pieces have {pieces:.6e} m³ and it encloses {solid:.6e} m³: facets are not told apart"
+        "its convex pieces have {pieces:.6e} m³ and it encloses {solid:.6e} m³: shells of it reach into each other, or facets are too close to be told apart"
     )]
     Volume {
         /// Of the pieces \[m³\].
@@ -205,6 +205,9 @@ impl Mesh {
 fn joined(mut pieces: Vec<Polyhedron>, flatness: f64) -> Vec<Polyhedron> {
     let spare = flatness * size(&pieces).powi(2);
     let both = |a: &Polyhedron, b: &Polyhedron| {
+        if !share_a_face(a, b, flatness) {
+            return None;
+        }
         let points = [a.vertices(), b.vertices()].concat();
         let hull = Polyhedron::of_points(&points, flatness).ok()?;
         (volume(&hull) <= volume(a) + volume(b) + spare).then_some(hull)
@@ -222,6 +225,21 @@ fn joined(mut pieces: Vec<Polyhedron>, flatness: f64) -> Vec<Polyhedron> {
         }
     }
     pieces
+}
+
+/// Two pieces have one face, each on its side of it: what is convex together does, if neither reaches into the other.
+fn share_a_face(a: &Polyhedron, b: &Polyhedron, flatness: f64) -> bool {
+    let near = INSIDE * flatness;
+    let is_on = |piece: &Polyhedron, face: &Face, r: Vec3| {
+        face.normal.dot(r - piece.vertices()[face.corners[0]]).abs() <= near
+    };
+    let all_on = |piece: &Polyhedron, face: &Face, other: &Polyhedron, of: &Face| {
+        of.corners.iter().all(|corner| is_on(piece, face, other.vertices()[*corner]))
+    };
+    let is_one = |own: &Face, other: &Face| {
+        own.normal.dot(other.normal) < 0.0 && (all_on(a, own, b, other) || all_on(b, other, a, own))
+    };
+    a.faces().iter().any(|own| b.faces().iter().any(|other| is_one(own, other)))
 }
 
 fn volume(piece: &Polyhedron) -> f64 {

@@ -17,8 +17,8 @@ const DEFAULT_BOX: Vec3 = Vec3::new(0.06, 0.04, 0.025);
 const FLAT_IN_A_FILE: f64 = 16.0 * f32::EPSILON as f64;
 /// Convex pieces of one part. Contacts are looked for between each of them and each plate.
 const MOST_PIECES: usize = 64;
-const LEAVE_HOLLOWS: &str =
-    "draw round hollows with fewer facets, or leave hollows out: then the part touches with its hull";
+const FEWER_FACETS: &str = "draw round hollows with fewer facets";
+const LEAVE_HOLLOWS: &str = "leave hollows out: then the part touches with its hull";
 /// The length of 1 in a file that says nothing else \[m\].
 const MILLIMETRE: f64 = 1e-3;
 
@@ -235,7 +235,13 @@ fn in_pieces(root: &Section<'_>, mesh: &Mesh, flatness: f64) -> Option<Vec<Polyh
         return Some(vec![]);
     }
     let told = |problem: &PiecesProblem| {
-        root.blame(ProblemKind::Geometry, "hollows", format!("{problem}: {LEAVE_HOLLOWS}"));
+        let too_many = matches!(problem, PiecesProblem::TooMany { .. });
+        let message = if too_many {
+            format!("{problem}: {FEWER_FACETS}, or {LEAVE_HOLLOWS}")
+        } else {
+            format!("{problem}; {LEAVE_HOLLOWS}")
+        };
+        root.blame(ProblemKind::Geometry, "hollows", message);
     };
     mesh.pieces(flatness, MOST_PIECES).inspect_err(told).ok()
 }
