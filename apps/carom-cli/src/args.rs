@@ -323,7 +323,7 @@ pub(crate) struct FeedOptions {
     /// Scene file.
     #[arg(value_name = "SCENE")]
     pub(crate) scene: PathBuf,
-    /// How many parts, 2 to 100 [default: as the scene's [feed], or 3].
+    /// How many parts, 2 to 100; not for solid parts, of which one is followed [default: as the scene's [feed], or 3].
     #[arg(long, value_name = "N")]
     pub(crate) parts: Option<usize>,
     /// Intervals that are asked all over the range.

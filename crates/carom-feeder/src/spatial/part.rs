@@ -115,7 +115,9 @@ impl Part {
             let corners: Vec<Vec3> = face.corners.iter().map(at).collect();
             // Where the pieces have it: they lie on one plane with all that is on this face.
             let normal = area(&corners).unit().unwrap_or(face.normal);
-            let depth = corners.iter().map(|r| normal.dot(*r)).fold(f64::NEG_INFINITY, f64::max);
+            // Of all corners, those that others hide too: what starts on it is in nothing.
+            let all = pieces.iter().flat_map(Polyhedron::vertices);
+            let depth = all.map(|r| normal.dot(*r)).fold(f64::NEG_INFINITY, f64::max);
             Face { normal, depth, corners: face.corners.clone() }
         };
         Ok(Self { faces: hull.faces().iter().map(face).collect(), body })

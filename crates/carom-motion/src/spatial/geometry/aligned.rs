@@ -20,10 +20,11 @@ impl Common {
 }
 
 /// The same pieces, moved by little more than the flatness \[m\]: faces that lie on one plane do so to the last digits, and corners in one place too. What slides from a face of one piece
-/// to that of another meets no step.
-pub(super) fn aligned(pieces: &[Polyhedron], flatness: f64) -> Vec<Polyhedron> {
+/// to that of another meets no step. So do the faces of their hull, which may go over a hollow: the body may lie on these.
+pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -> Vec<Polyhedron> {
     let near = ON_PLANE * flatness;
-    let (planes, on) = planes(pieces, near);
+    let pieces = [std::slice::from_ref(hull), pieces].concat();
+    let (planes, on) = planes(&pieces, near);
     let places: Vec<Vec3> = pieces.iter().flat_map(Polyhedron::vertices).copied().collect();
     let stands = welded(&places, near);
     let mut asked: Vec<Vec<usize>> = vec![vec![]; places.len()];
@@ -55,7 +56,7 @@ pub(super) fn aligned(pieces: &[Polyhedron], flatness: f64) -> Vec<Polyhedron> {
         };
         piece.placed(vertices, piece.faces().iter().zip(on).map(turned))
     };
-    pieces.iter().zip(&on).map(placed).collect()
+    pieces.iter().zip(&on).map(placed).skip(1).collect()
 }
 
 /// The planes of all faces, and of each piece on which of them each face lies.

@@ -146,12 +146,12 @@ impl Mesh {
             let first = problems.into_iter().next();
             PiecesProblem::Hull(first.unwrap_or(HullProblem::Unclear { flatness }))
         })?;
-        let pieces = self.inside(hull, flatness, most)?;
+        let pieces = self.inside(hull.clone(), flatness, most)?;
         let volume: f64 = pieces.iter().map(volume).sum();
         if (volume - solid.volume).abs() > flatness * size(&pieces).powi(2) {
             return Err(PiecesProblem::Volume { pieces: volume, solid: solid.volume });
         }
-        let pieces = super::aligned::aligned(&joined(pieces, flatness), flatness);
+        let pieces = super::aligned::aligned(&hull, &joined(pieces, flatness), flatness);
         if pieces.len() > most { Err(PiecesProblem::TooMany { most }) } else { Ok(pieces) }
     }
 
