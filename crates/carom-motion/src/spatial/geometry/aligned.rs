@@ -1,11 +1,14 @@
 //! Pieces of one body whose faces lie on the same planes.
 
 use super::hull::welded;
-use super::polyhedron::{Polyhedron, step};
+use super::polyhedron::Polyhedron;
 use carom_num::Vec3;
 
 /// How far corners of faces on one plane may be from it, in units of the flatness that they were told apart with.
 const ON_PLANE: f64 = 4.0;
+
+/// A plane says where a corner is along its normal where so much of that, as a sine, is beside what others say: 3°, so that corners move by twenty times the digits of a file at most.
+const INDEPENDENT: f64 = 0.05;
 
 /// A plane on which faces of pieces lie, on either side.
 struct Common {
@@ -42,9 +45,17 @@ pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -
         let mut own = asked[stands[k]].clone();
         own.sort_unstable();
         own.dedup();
-        let off: Vec<(Vec3, f64)> =
-            own.iter().map(|plane| (planes[*plane].normal, planes[*plane].off(place))).collect();
-        place + step(&off)
+        let (mut by, mut along): (Vec3, Vec<Vec3>) = (Vec3::ZERO, vec![]);
+        for plane in own {
+            let normal = planes[plane].normal;
+            let free = along.iter().fold(normal, |free, fixed| free - *fixed * fixed.dot(normal));
+            // Where the planes before it leave no way to it, it has to be there already, but for digits.
+            if let Some(direction) = free.unit().filter(|_| free.norm() > INDEPENDENT) {
+                by += direction * (planes[plane].off(place + by) / free.norm());
+                along.push(direction);
+            }
+        }
+        place + by
     };
     let mut from = 0;
     let placed = |(piece, on): (&Polyhedron, &Vec<usize>)| {
@@ -59,14 +70,14 @@ pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -
     pieces.iter().zip(&on).map(placed).skip(1).collect()
 }
 
-/// The planes of all faces, and of each piece on which of them each face lies.
+/// The planes of all faces, those first that count most, and of each piece on which of them each face lies.
 fn planes(pieces: &[Polyhedron], near: f64) -> (Vec<Common>, Vec<Vec<usize>>) {
     let mut all: Vec<(usize, usize, f64)> = vec![];
     for (k, piece) in pieces.iter().enumerate() {
         all.extend((0..piece.faces().len()).map(|face| (k, face, piece.area(face))));
     }
-    // The plane of the largest face is known best.
-    all.sort_by(|a, b| b.2.total_cmp(&a.2));
+    // On faces of the hull, the first piece, the body lies; of others the plane of the largest one is known best.
+    all.sort_by(|a, b| (a.0 > 0).cmp(&(b.0 > 0)).then(b.2.total_cmp(&a.2)));
     let mut planes: Vec<Common> = vec![];
     let mut on: Vec<Vec<usize>> = pieces.iter().map(|piece| vec![0; piece.faces().len()]).collect();
     for (k, face, _) in all {

@@ -50,7 +50,7 @@ pub enum PiecesProblem {
     },
     /// What is cut out is not what the surface encloses.
     #[error(
-        "its convex pieces have {pieces:.6e} m³ and it encloses {solid:.6e} m³: shells of it reach into each other, or facets are too close to be told apart"
+        "its convex pieces have {pieces:.6e} m³ and it encloses {solid:.6e} m³: shells of it reach into each other, or faces of it are almost on one plane"
     )]
     Volume {
         /// Of the pieces \[m³\].
@@ -303,7 +303,21 @@ mod tests {
         }
     }
 
-    /// A prism over a comb of so many teeth, turned, with the digits of a file.
+    /// A prism over a profile that is cut into triangles, turned, with the digits of a file.
+    fn prism(profile: &[[f64; 2]], triangles: &[[usize; 3]], turned: Rotation) -> Mesh {
+        let n = profile.len();
+        let at = |z: f64| profile.iter().map(move |[x, y]| turned.apply(Vec3::new(*x, *y, z)));
+        let short = |r: Vec3| Vec3::new(f64::from(r.x as f32), f64::from(r.y as f32), f64::from(r.z as f32));
+        let mut facets: Vec<[usize; 3]> =
+            triangles.iter().flat_map(|&[a, b, c]| [[a, c, b], [a + n, b + n, c + n]]).collect();
+        facets.extend((0..n).flat_map(|k| {
+            let next = (k + 1) % n;
+            [[k, next, k + n], [next, next + n, k + n]]
+        }));
+        Mesh { vertices: at(0.0).chain(at(1.5)).map(short).collect(), facets }
+    }
+
+    /// A comb of so many teeth.
     fn comb(teeth: usize, turned: Rotation) -> Mesh {
         let mut profile = vec![[0.0, -1.0], [2.0 * teeth as f64 - 1.0, -1.0]];
         let mut triangles = vec![];
@@ -317,16 +331,26 @@ mod tests {
             }
         }
         triangles.push([0, 1, 2]);
-        let n = profile.len();
-        let at = |z: f64| profile.iter().map(move |[x, y]| turned.apply(Vec3::new(*x, *y, z)));
-        let short = |r: Vec3| Vec3::new(f64::from(r.x as f32), f64::from(r.y as f32), f64::from(r.z as f32));
-        let mut facets: Vec<[usize; 3]> =
-            triangles.iter().flat_map(|&[a, b, c]| [[a, c, b], [a + n, b + n, c + n]]).collect();
-        facets.extend((0..n).flat_map(|k| {
-            let next = (k + 1) % n;
-            [[k, next, k + n], [next, next + n, k + n]]
-        }));
-        Mesh { vertices: at(0.0).chain(at(1.5)).map(short).collect(), facets }
+        prism(&profile, &triangles, turned)
+    }
+
+    /// A corner of a hook is on four planes: with the digits of a file not on all of them.
+    #[test]
+    fn a_hook_lies_flat_across_its_hollow() {
+        let profile =
+            [[0.0, 0.0], [1.0, 0.0], [1.0, 4.0], [5.0, 4.0], [5.0, 1.6], [6.0, 1.6], [6.0, 5.0], [0.0, 5.0]];
+        let triangles = [[0, 1, 2], [0, 2, 7], [2, 3, 7], [3, 6, 7], [3, 4, 6], [4, 5, 6]];
+        for turned in [Vec3::ZERO, Vec3::new(0.3, 0.7, -0.2), Vec3::new(1.0, 2.0, 0.5)] {
+            let hook = prism(&profile, &triangles, Rotation::by(turned));
+            let hull = Polyhedron::of_points(&hook.vertices, 1e-5).unwrap();
+            let pieces = hook.pieces(1e-5, 8).unwrap();
+            let corners = || pieces.iter().flat_map(Polyhedron::vertices);
+            for face in hull.faces() {
+                let heights = corners().map(|r| face.normal.dot(*r - hull.vertices()[face.corners[0]]));
+                let on: Vec<f64> = heights.filter(|height| height.abs() < 1e-4).collect();
+                assert!(on.len() >= 4 && on.iter().all(|height| height.abs() < 1e-14), "{turned:?}: {on:?}");
+            }
+        }
     }
 
     #[test]

@@ -352,7 +352,7 @@ fn level(vertices: &mut [Vec3], faces: &Faces) {
 }
 
 /// The shortest step that goes so far along each normal; of more than three, as nearly as can be.
-pub(super) fn step(asked: &[(Vec3, f64)]) -> Vec3 {
+fn step(asked: &[(Vec3, f64)]) -> Vec3 {
     match *asked {
         [] => Vec3::ZERO,
         [(n, off)] => n * off,

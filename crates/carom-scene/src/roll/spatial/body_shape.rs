@@ -239,7 +239,7 @@ fn in_pieces(root: &Section<'_>, mesh: &Mesh, flatness: f64) -> Option<Vec<Polyh
         let message = if too_many {
             format!("{problem}: {FEWER_FACETS}, or {LEAVE_HOLLOWS}")
         } else {
-            format!("{problem}; {LEAVE_HOLLOWS}")
+            format!("{problem}; a larger flatness joins such faces, or {LEAVE_HOLLOWS}")
         };
         root.blame(ProblemKind::Geometry, "hollows", message);
     };
