@@ -175,6 +175,8 @@ pub(crate) const NEWTON_DONE: f64 = 1e-16;
 
 /// Supports closer than this are one point.
 pub(crate) const ONE_SUPPORT: f64 = 1e-9;
+/// Places of two pieces of a body no farther apart than this, in units of the reach, are one: a file has seven digits.
+pub(crate) const ONE_CORNER: f64 = 1e-6;
 /// A corner that is asked for by its place is the one no farther from there than this, in units of the reach: digits of a file, and what faces move by to be plane.
 pub(crate) const NAMED_CORNER: f64 = 1e-4;
 /// An edge at which pieces of a body take up half a turn but for this angle is none \[rad\]: they share a face there.

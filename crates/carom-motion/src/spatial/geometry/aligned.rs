@@ -30,19 +30,13 @@ pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -
     let (planes, on) = planes(&pieces, near);
     let places: Vec<Vec3> = pieces.iter().flat_map(Polyhedron::vertices).copied().collect();
     let stands = welded(&places, near);
-    let mut asked: Vec<Vec<usize>> = vec![vec![]; places.len()];
-    let mut from = 0;
-    for (piece, on) in pieces.iter().zip(&on) {
-        for (face, plane) in piece.faces().iter().zip(on) {
-            for corner in &face.corners {
-                asked[stands[from + corner]].push(*plane);
-            }
-        }
-        from += piece.vertices().len();
-    }
     let moved = |k: usize| {
         let place = places[stands[k]];
-        let mut own = asked[stands[k]].clone();
+        let mut own: Vec<usize> = pieces
+            .iter()
+            .zip(&on)
+            .flat_map(|(piece, on)| faces_at(piece, place, near).map(|face| on[face]))
+            .collect();
         own.sort_unstable();
         own.dedup();
         let (mut by, mut along): (Vec3, Vec<Vec3>) = (Vec3::ZERO, vec![]);
@@ -68,6 +62,14 @@ pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -
         piece.placed(vertices, piece.faces().iter().zip(on).map(turned))
     };
     pieces.iter().zip(&on).map(placed).skip(1).collect()
+}
+
+/// The faces of a piece that a place is on: it may be none of its corners, but within an edge.
+fn faces_at(piece: &Polyhedron, place: Vec3, near: f64) -> impl Iterator<Item = usize> {
+    let height = |face: &super::polyhedron::Face| face.normal.dot(place - piece.vertices()[face.corners[0]]);
+    let heights: Vec<f64> = piece.faces().iter().map(height).collect();
+    let has = heights.iter().all(|height| *height <= near);
+    (0..heights.len()).filter(move |face| has && heights[*face] >= -near)
 }
 
 /// The planes of all faces, those first that count most, and of each piece on which of them each face lies.

@@ -7,7 +7,7 @@ use super::polyhedron::Polyhedron;
 use super::state::{Pose, State};
 use super::surface::Surface;
 use super::world::ObstaclesProblem;
-use crate::tolerance::{NAMED_CORNER, ONE_SUPPORT};
+use crate::tolerance::{NAMED_CORNER, ONE_CORNER, ONE_SUPPORT};
 use carom_num::Vec3;
 
 /// The form of a body: the convex hull of its supports, or several convex pieces.
@@ -65,7 +65,7 @@ impl Form {
     pub(super) fn of_pieces(pieces: &[Polyhedron], first: &[Vec3]) -> Self {
         let far = |piece: &Polyhedron| piece.vertices().iter().map(|r| r.norm()).fold(0.0, f64::max);
         let reach = pieces.iter().map(far).fold(0.0, f64::max);
-        let Outside { each, mut surface, polygons } = outside(pieces, ONE_SUPPORT * reach);
+        let Outside { each, mut surface, polygons } = outside(pieces, ONE_CORNER * reach);
         let place = |corner: usize| {
             let near = |r: &Vec3| (*r - surface.corners[corner]).norm() <= NAMED_CORNER * reach;
             first.iter().position(near).unwrap_or(first.len())
