@@ -35,6 +35,7 @@ says! {
     run_solid: ["run", "solid.toml"], "";
     run_solid_bolt: ["run", "solid_bolt.toml"], "";
     run_solid_groove: ["run", "solid_groove.toml"], "";
+    run_solid_bracket: ["run", "solid_bracket.toml"], "";
     run_solid_beside_a_rod: ["run", "solid.toml", "case_2.toml"], "";
     run_feed: ["run", "feed.toml"], "";
     feed_without_parts: ["feed", "case_1.toml", "--parts", "0"], "";

@@ -59,7 +59,7 @@ pub fn space_glb(feeder: &Feeder, run: &Run) -> Vec<u8> {
 
 /// The triangles of the part by their materials.
 fn part_pieces(feeder: &Feeder) -> [(usize, Vec<[Vec3; 3]>); 2] {
-    let Shown { corners, faces, numbers } = feeder.part.shown();
+    let Shown { corners, faces, numbers, .. } = feeder.part.shown();
     let of = |face: &Vec<usize>| fan(&face.iter().map(|corner| corners[*corner]).collect::<Vec<_>>());
     let faces = faces.iter().enumerate();
     let (down, others): (Vec<_>, Vec<_>) =

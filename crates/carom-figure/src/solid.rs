@@ -21,6 +21,8 @@ pub struct SolidDrawing<'a> {
     pub faces: &'a [Vec<usize>],
     /// The numbers of the first of them, where not each has its own: the others are facets of round edges, or in a hollow.
     pub numbers: Option<&'a [usize]>,
+    /// Sides of faces that are no edges, by their corners: another face goes on there, on the same plane.
+    pub seams: &'a [[usize; 2]],
     /// Lines beside the faces, between corners.
     pub lines: &'a [[usize; 2]],
     /// The points on which it stands [m].

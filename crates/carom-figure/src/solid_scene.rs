@@ -116,8 +116,12 @@ pub(crate) fn numbers(figure: &SolidFigure<'_>) -> String {
         .collect();
     let own = drawing.numbers.filter(|numbers| !numbers.iter().copied().eq(0..faces.len()));
     let numbers = own.map(|numbers| format!("\"numbers\":{numbers:?},")).unwrap_or_default();
+    let seams = match drawing.seams {
+        [] => String::new(),
+        seams => format!("\"seams\":{seams:?},"),
+    };
     format!(
-        "{{\"corners\":[{}],\"faces\":[{}],{numbers}\"lines\":{:?},\"points\":[{}],\"names\":[{}],\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]{}}}",
+        "{{\"corners\":[{}],\"faces\":[{}],{numbers}{seams}\"lines\":{:?},\"points\":[{}],\"names\":[{}],\"samples\":[{}],\"stages\":[{}],\"strikes\":[{}]{}}}",
         places(drawing.corners),
         faces.join(","),
         drawing.lines,

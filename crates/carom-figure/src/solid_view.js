@@ -3,10 +3,14 @@
 function solidView(root, canvas, numbers, poseAt, named, view) {
   "use strict";
   const { corners, faces, lines, points, names, samples, stages, strikes } = numbers;
+  const seams = new Set((numbers.seams ?? []).map(String));
   const numberOf = numbers.numbers ?? faces.map((_, i) => i);
   // Of every corner of the drawing the point that it is at: round corners are drawn with several.
   const apart = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
-  const owner = corners.map((r) => points.reduce((best, p, i) => (apart(r, p) < apart(r, points[best]) ? i : best), 0));
+  const nearest = corners.map((r) => points.reduce((best, p, i) => (apart(r, p) < apart(r, points[best]) ? i : best), 0));
+  // Of a rounded body there are several corners about a point; an inner corner is at none.
+  const least = points.map((p) => Math.min(...corners.map((r) => apart(r, p))));
+  const owner = nearest.map((i, k) => (points.length && apart(corners[k], points[i]) <= 1.5 * least[i] + 1e-4 ? i : undefined));
   const pen = canvas.getContext("2d");
   const span = Math.max(samples[samples.length - 1][0] - samples[0][0], 1e-12);
   const plates = solidPlates(pen, numbers.plates ?? []);
@@ -59,6 +63,14 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     pen.beginPath();
     places.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
     pen.closePath();
+  }
+
+  function sides(ends) {
+    pen.beginPath();
+    for (const [a, b] of ends) {
+      pen.moveTo(a[0], a[1]);
+      pen.lineTo(b[0], b[1]);
+    }
   }
 
   function stroke(from, to, colour, width, alpha) {
@@ -173,10 +185,11 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
       const n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
       const length = Math.hypot(...n) || 1;
       const light = (0.35 * n[0] - 0.5 * n[1] + 0.79 * n[2]) / length;
-      return { places, front: area(places) < 0, light, depth: places.reduce((s, x) => s + x[2], 0) / places.length };
+      const edges = face.map((i, k) => [i, face[(k + 1) % face.length]]).filter((side) => !seams.has(String(side)));
+      return { places, edges, front: area(places) < 0, light, depth: places.reduce((s, x) => s + x[2], 0) / places.length };
     });
     drawn.sort((a, b) => a.front - b.front || a.depth - b.depth);
-    for (const { places, front, light } of drawn) {
+    for (const { places, edges, front, light } of drawn) {
       polygon(places);
       if (front && plates.any) {
         pen.fillStyle = c.panel;
@@ -191,6 +204,7 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
       pen.lineWidth = (front ? 1.8 : 1) * (thin ? 0.65 : 1);
       pen.lineJoin = "round";
       pen.setLineDash(front ? [] : [4, 4]);
+      if (edges.length < places.length) sides(edges.map(([i, j]) => [seen[i], seen[j]]));
       // A small body with its far sides dashed is a tangle.
       if (front || !thin) pen.stroke();
       pen.setLineDash([]);
@@ -280,14 +294,16 @@ function solidView(root, canvas, numbers, poseAt, named, view) {
     };
     const front = faces.map((face, i) => [i, face.map((k) => seen[k]), area(face.map((k) => seen[k]))]);
     const shown = front.filter(([i, , size]) => numberOf[i] !== undefined && size < -420).sort((a, b) => a[2] - b[2]);
-    for (const [i, places] of shown) {
+    // A face of several pieces has its number on the largest of them.
+    const told = new Set();
+    for (const [i, places] of shown.filter(([i]) => !told.has(numberOf[i]) && told.add(numberOf[i]))) {
       const middle = [0, 1].map((k) => places.reduce((sum, at) => sum + at[k], 0) / places.length);
       put(String(numberOf[i]), ...middle, "700 15px system-ui, sans-serif", c.blue);
     }
     const centre = [0, 1].map((k) => seen.reduce((sum, at) => sum + at[k], 0) / seen.length);
     const named = new Map();
     for (const k of front.filter(([, , size]) => size < 0).flatMap(([face]) => faces[face])) {
-      if (!named.has(owner[k])) named.set(owner[k], k);
+      if (owner[k] !== undefined && !named.has(owner[k])) named.set(owner[k], k);
     }
     for (const [i, k] of named) {
       const out = [seen[k][0] - centre[0], seen[k][1] - centre[1]];

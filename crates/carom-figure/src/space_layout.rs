@@ -85,7 +85,7 @@ fn drawing(feeder: &Feeder) -> Option<carom_feeder::Feeder> {
 /// The faces of the part that look towards the viewer, where it lies at the start, the face that is down, and the mass centre.
 fn part(feeder: &Feeder, view: &View) -> Markup {
     let state = feeder.start_state();
-    let Shown { corners, faces, numbers } = feeder.part.shown();
+    let Shown { corners, faces, numbers, seams } = feeder.part.shown();
     let middle = Vec2::new(state.centre.x, state.centre.y);
     let seen: Vec<Vec2> =
         corners.iter().map(|corner| state.place(*corner)).map(|r| Vec2::new(r.x, r.y)).collect();
@@ -100,7 +100,18 @@ fn part(feeder: &Feeder, view: &View) -> Markup {
         let next = face.iter().cycle().skip(1);
         face.iter().zip(next).map(|(a, b)| (seen[*a] - middle).cross(seen[*b] - middle)).sum::<f64>() > least
     };
-    let shown = faces.iter().filter(is_towards).map(|face| svg::path("body", &outline(face)));
+    let drawn = |face: &Vec<usize>| {
+        let sides = face.iter().zip(face.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]);
+        let edges: Vec<[usize; 2]> = sides.filter(|side| !seams.contains(side)).collect();
+        if edges.len() == face.len() {
+            return svg::path("body", &outline(face));
+        }
+        let lines = edges
+            .iter()
+            .map(|[a, b]| svg::line("body", svg::xy(view.at(seen[*a])), svg::xy(view.at(seen[*b]))));
+        html! { (svg::path("body filled", &outline(face))) (joined(lines)) }
+    };
+    let shown = faces.iter().filter(is_towards).map(drawn);
     let down = faces.iter().zip(&numbers).filter(|(_, number)| **number == feeder.start.face);
     let down = down.map(|(face, _)| svg::path("mark", &outline(face)));
     let centre = view.at(middle);

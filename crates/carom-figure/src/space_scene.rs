@@ -20,6 +20,7 @@ pub(crate) struct SpaceScene {
     corners: Vec<Vec3>,
     faces: Vec<Vec<usize>>,
     numbers: Vec<usize>,
+    seams: Vec<[usize; 2]>,
     names: Vec<String>,
     around: Vec<SolidPlate>,
     pub(crate) instants: Vec<SolidInstant>,
@@ -49,11 +50,12 @@ impl SpaceScene {
             start: stage.start_time,
             end: stage.end_time.min(last),
         });
-        let Shown { corners: shown, faces, numbers } = feeder.part.shown();
+        let Shown { corners: shown, faces, numbers, seams } = feeder.part.shown();
         Self {
             corners: shown,
             faces,
             numbers,
+            seams,
             names: (0..corners.len()).map(|corner| corner.to_string()).collect(),
             around: around.into_iter().map(upright_plate).collect(),
             instants: own.into_iter().map(upright_instant).collect(),
@@ -68,7 +70,8 @@ impl SpaceScene {
     pub(crate) fn figure<'a>(&'a self, feeder: &'a Feeder) -> SolidFigure<'a> {
         let (corners, faces, points) = (&self.corners, &self.faces, feeder.part.body.supports());
         let numbers = Some(&self.numbers[..]);
-        let drawing = SolidDrawing { corners, faces, numbers, lines: &[], points, names: &self.names };
+        let (seams, names) = (&self.seams[..], &self.names[..]);
+        let drawing = SolidDrawing { corners, faces, numbers, seams, lines: &[], points, names };
         SolidFigure {
             title: "",
             verdict: "",

@@ -410,8 +410,15 @@ fn a_walk_has_all_stages_and_all_contacts() {
 
 /// A body in space with nothing to show.
 fn solid() -> SolidFigure<'static> {
-    let drawing =
-        SolidDrawing { corners: &[], faces: &[], numbers: None, lines: &[], points: &[], names: &[] };
+    let drawing = SolidDrawing {
+        corners: &[],
+        faces: &[],
+        numbers: None,
+        seams: &[],
+        lines: &[],
+        points: &[],
+        names: &[],
+    };
     let (title, verdict, lead, source, made_by) = ("a <stool>", "at rest", "", "", "");
     let (notes, around, instants, stages, strikes, series) = (&[], &[], &[], &[], &[], &[]);
     SolidFigure {

@@ -85,13 +85,14 @@ impl Told for SolidThrows<'_> {
 
     fn page(&self, found: &Poses, page: impl Fn(PoseBody<'_>) -> String) -> String {
         let part = &self.scene().feeder().part;
-        let Shown { corners, faces, numbers } = part.shown();
+        let Shown { corners, faces, numbers, seams } = part.shown();
         let points = part.body.supports();
         let names: Vec<String> = (0..points.len()).map(|corner| corner.to_string()).collect();
         let drawing = SolidDrawing {
             corners: &corners,
             faces: &faces,
             numbers: Some(&numbers),
+            seams: &seams,
             lines: &[],
             points,
             names: &names,

@@ -33,6 +33,8 @@ pub struct Shown {
     pub faces: Vec<Vec<usize>>,
     /// Of the first of them the numbers among [`Part::faces`]; the others are in a hollow, or facets of a round edge.
     pub numbers: Vec<usize>,
+    /// Sides of faces that are no edges, each by the corners that it goes from and to: another one goes on there, on the same plane.
+    pub seams: Vec<[usize; 2]>,
 }
 
 /// Why a hull and a mass make no part.
@@ -149,6 +151,7 @@ impl Part {
             corners: corners.to_vec(),
             faces: self.faces.iter().map(|face| face.corners.clone()).collect(),
             numbers: numbers.clone(),
+            seams: vec![],
         };
         let Some(radius) = self.body.rounding().filter(|radius| *radius > 0.0) else { return sharp() };
         let around = |corner: usize| self.faces.iter().filter(move |face| face.corners.contains(&corner));
@@ -166,7 +169,7 @@ impl Part {
         let mut faces: Vec<&carom_motion::spatial::Face> = hull.faces().iter().collect();
         faces.sort_by_key(|face| own(face));
         let faces = faces.into_iter().map(|face| face.corners.clone()).collect();
-        Shown { corners: hull.vertices().to_vec(), faces, numbers }
+        Shown { corners: hull.vertices().to_vec(), faces, numbers, seams: vec![] }
     }
 
     fn shown_in_pieces(&self) -> Shown {
@@ -177,12 +180,23 @@ impl Part {
         let mut polygons: Vec<(Option<usize>, &Vec<Vec3>)> =
             self.body.polygons().iter().map(|polygon| (number(&polygon), polygon)).collect();
         polygons.sort_by_key(|(number, _)| number.unwrap_or(usize::MAX));
-        let (mut corners, mut faces) = (vec![], vec![]);
-        for (_, polygon) in &polygons {
-            faces.push((corners.len()..corners.len() + polygon.len()).collect());
-            corners.extend_from_slice(polygon);
+        let near = ON_FACE * self.body.reach();
+        let (mut corners, mut faces, mut seams) = (vec![], vec![], vec![]);
+        for (k, (_, polygon)) in polygons.iter().enumerate() {
+            let others = polygons.iter().enumerate().filter(|(other, _)| *other != k);
+            let sides = split(polygon, others.map(|(_, (_, other))| &other[..]), near);
+            let number = |side: usize| corners.len() + side % sides.len();
+            let inner = sides.iter().enumerate().filter(|(_, (_, goes_on))| *goes_on);
+            seams.extend(inner.map(|(side, _)| [number(side), number(side + 1)]));
+            faces.push((0..sides.len()).map(number).collect());
+            corners.extend(sides.iter().map(|(from, _)| *from));
         }
-        Shown { corners, faces, numbers: polygons.into_iter().filter_map(|(number, _)| number).collect() }
+        Shown {
+            corners,
+            faces,
+            numbers: polygons.into_iter().filter_map(|(number, _)| number).collect(),
+            seams,
+        }
     }
 
     /// The number of a face of the body that has this unit normal: of one in a hollow it comes after those of [`Part::faces`].
@@ -230,4 +244,38 @@ fn area(corners: &[Vec3]) -> Vec3 {
         .windows(2)
         .map(|pair| (pair[0] - *first).cross(pair[1] - *first))
         .fold(Vec3::ZERO, |sum, area| sum + area)
+}
+
+/// Where each side of a polygon begins, and whether another polygon goes on beyond it on the same plane: sides are split where that begins and ends.
+fn split<'p>(polygon: &[Vec3], others: impl Iterator<Item = &'p [Vec3]>, near: f64) -> Vec<(Vec3, bool)> {
+    let sides = |polygon: &[Vec3]| {
+        let next = polygon.iter().copied().cycle().skip(1);
+        polygon.iter().copied().zip(next).collect::<Vec<(Vec3, Vec3)>>()
+    };
+    let normal = area(polygon);
+    let level = |other: &&[Vec3]| {
+        other.iter().all(|r| normal.dot(*r - polygon[0]).abs() <= near * normal.norm())
+            && area(other).dot(normal) > 0.0
+    };
+    let beyond: Vec<(Vec3, Vec3)> = others.filter(level).flat_map(sides).collect();
+    let mut found = vec![];
+    for (from, to) in sides(polygon) {
+        let Some(along) = (to - from).unit() else { continue };
+        let length = (to - from).norm();
+        // Its neighbours have the side the other way round.
+        let spans: Vec<[f64; 2]> = beyond
+            .iter()
+            .filter(|(a, b)| [a, b].iter().all(|r| along.cross(**r - from).norm() <= near))
+            .map(|(a, b)| [b, a].map(|r| along.dot(*r - from).clamp(0.0, length)))
+            .filter(|[first, last]| last - first > near)
+            .collect();
+        let mut cuts: Vec<f64> = spans.as_flattened().iter().copied().chain([0.0, length]).collect();
+        cuts.sort_by(f64::total_cmp);
+        for span in cuts.windows(2).filter(|span| span[1] - span[0] > near) {
+            let middle = 0.5 * (span[0] + span[1]);
+            let goes_on = spans.iter().any(|[first, last]| *first < middle && middle < *last);
+            found.push((from + along * span[0], goes_on));
+        }
+    }
+    found
 }

@@ -30,6 +30,7 @@ fn page(times: &[f64]) -> String {
             corners: &corners,
             faces: &faces,
             numbers: None,
+            seams: &[],
             lines: &[],
             points: &corners,
             names: &names,

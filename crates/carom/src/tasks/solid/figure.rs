@@ -55,6 +55,7 @@ pub fn drawing(problem: &SpatialRollProblem) -> SolidDrawing<'_> {
         corners: &problem.drawing.corners,
         faces: &problem.drawing.faces,
         numbers: None,
+        seams: &[],
         lines: &problem.drawing.lines,
         points: problem.world.body().supports(),
         names: &problem.points,
