@@ -38,3 +38,5 @@ pub(crate) const BOX_HULL: f64 = 1e-12;
 pub(crate) const DRAWN_FLAT: f64 = 1e-9;
 /// What is no farther from the plane of a face than this, in units of the part's reach, is on that face.
 pub(crate) const ON_FACE: f64 = 1e-6;
+/// A corner of pieces no farther than this from one of their hull, in units of the reach, is that one: digits of a file, and what faces move by to be plane.
+pub(crate) const SAME_CORNER: f64 = 1e-3;

@@ -1,6 +1,6 @@
 //! A solid part, by the faces that it may lie on.
 
-use crate::tolerance::{DRAWN_FLAT, ON_FACE};
+use crate::tolerance::{DRAWN_FLAT, ON_FACE, SAME_CORNER};
 use carom_motion::spatial::{Body, BodyProblem, Feature, Polyhedron, Solid};
 use carom_num::{Mat3, Vec3};
 
@@ -112,6 +112,18 @@ impl Part {
         let of_hull: Vec<Vec3> = hull.vertices().iter().map(|vertex| *vertex - centre).collect();
         let pieces: Vec<Polyhedron> = pieces.iter().map(|piece| piece.moved_by(-centre)).collect();
         let body = Body::of_pieces(mass, inertia, &pieces, &of_hull)?;
+        let near = SAME_CORNER * body.reach();
+        let has = |corner: &usize| {
+            let at = body.supports().get(*corner);
+            at.is_some_and(|r| (*r - of_hull[*corner]).norm() <= near)
+        };
+        let hidden: Vec<BodyProblem> = (0..of_hull.len())
+            .filter(|corner| !has(corner))
+            .map(|corner| BodyProblem::Hidden { corner })
+            .collect();
+        if !hidden.is_empty() {
+            return Err(hidden);
+        }
         let at = |corner: &usize| body.supports()[*corner];
         let face = |face: &carom_motion::spatial::Face| {
             let corners: Vec<Vec3> = face.corners.iter().map(at).collect();

@@ -154,8 +154,11 @@ fn build(solid: &SolidDrawing, drawing: &Drawing) -> Result<Part, Vec<Problem>> 
         Part::of_pieces((&solid.shape.hull, &solid.shape.pieces), centre, (mass, inertia))
     };
     let mut part = found.map_err(|problems| {
-        let path =
-            |found: &BodyProblem| if matches!(found, BodyProblem::Mass(_)) { "part.mass" } else { "part" };
+        let path = |found: &BodyProblem| match found {
+            BodyProblem::Mass(_) => "part.mass",
+            BodyProblem::Hidden { .. } => "part.hollows",
+            _ => "part",
+        };
         let told = |found: &BodyProblem| match found {
             BodyProblem::Count { count } => {
                 format!("its hull has {count} corners: at most {} are followed", Body::MOST)

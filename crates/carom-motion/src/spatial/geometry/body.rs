@@ -81,6 +81,12 @@ pub enum BodyProblem {
         /// Its length.
         length: f64,
     },
+    /// A corner of the hull of pieces at which none of them has a corner.
+    #[error("none of the pieces has corner {corner} of the hull: faces of it are almost on one plane")]
+    Hidden {
+        /// Which one.
+        corner: usize,
+    },
     /// Two supports in one place.
     #[error("supports {first} and {second} are {distance} m apart: they must be two points")]
     Together {
@@ -233,16 +239,8 @@ impl Body {
         let reach = supports.iter().map(|r| r.norm()).fold(0.0, f64::max);
         let mobility = Mat3::diagonal(1.0 / a, 1.0 / b, 1.0 / c);
         let features = supports.iter().copied().map(Feature::point).collect();
-        Self {
-            mass,
-            inertia: Mat3::diagonal(a, b, c),
-            mobility,
-            supports,
-            features,
-            round: false,
-            reach,
-            form: None,
-        }
+        let (inertia, form) = (Mat3::diagonal(a, b, c), None);
+        Self { mass, inertia, mobility, supports, features, round: false, reach, form }
     }
 
     /// Mass \[kg\].
