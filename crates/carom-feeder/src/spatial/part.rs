@@ -148,7 +148,7 @@ impl Part {
     /// let rounding = Polyhedron::of_points(&cube_corners(), 1e-9).unwrap().rounded(0.1).unwrap();
     /// let solid = rounding.solid;
     /// let cube = Part::about((&rounding.inner, 0.1), solid.centre, (solid.volume, solid.inertia))?;
-    /// let Shown { corners, faces, numbers } = cube.shown();
+    /// let Shown { corners, faces, numbers, .. } = cube.shown();
     /// assert!(faces.len() > 6 && faces[0].len() == 4 && numbers.len() == 6);
     /// assert!(faces[2].iter().all(|corner| (cube.faces[2].normal.dot(corners[*corner]) - 0.5).abs() < 1e-12));
     /// # Ok::<(), Vec<carom_motion::spatial::BodyProblem>>(())
