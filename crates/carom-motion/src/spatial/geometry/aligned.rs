@@ -1,7 +1,8 @@
 //! Pieces of one body whose faces lie on the same planes.
 
 use super::hull::welded;
-use super::polyhedron::Polyhedron;
+use super::plane::Plane;
+use super::polyhedron::{Face, Polyhedron};
 use carom_num::Vec3;
 
 /// How far corners of faces on one plane may be from it, in units of the flatness that they were told apart with.
@@ -9,18 +10,6 @@ const ON_PLANE: f64 = 4.0;
 
 /// A plane says where a corner is along its normal where so much of that, as a sine, is beside what others say: 3°, so that corners move by twenty times the digits of a file at most.
 const INDEPENDENT: f64 = 0.05;
-
-/// A plane on which faces of pieces lie, on either side.
-struct Common {
-    normal: Vec3,
-    offset: f64,
-}
-
-impl Common {
-    fn off(&self, place: Vec3) -> f64 {
-        self.offset - self.normal.dot(place)
-    }
-}
 
 /// The same pieces, moved by little more than the flatness \[m\]: faces that lie on one plane do so to the last digits, and corners in one place too. What slides from a face of one piece
 /// to that of another meets no step. So do the faces of their hull, which may go over a hollow: the body may lie on these.
@@ -41,11 +30,11 @@ pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -
         own.dedup();
         let (mut by, mut along): (Vec3, Vec<Vec3>) = (Vec3::ZERO, vec![]);
         for plane in own {
-            let normal = planes[plane].normal;
+            let normal = planes[plane].normal();
             let free = along.iter().fold(normal, |free, fixed| free - *fixed * fixed.dot(normal));
             // Where the planes before it leave no way to it, it has to be there already, but for digits.
             if let Some(direction) = free.unit().filter(|_| free.norm() > INDEPENDENT) {
-                by += direction * (planes[plane].off(place + by) / free.norm());
+                by += direction * (-planes[plane].height(place + by) / free.norm());
                 along.push(direction);
             }
         }
@@ -55,8 +44,8 @@ pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -
     let placed = |(piece, on): (&Polyhedron, &Vec<usize>)| {
         let vertices = (from..from + piece.vertices().len()).map(moved).collect();
         from += piece.vertices().len();
-        let turned = |(face, plane): (&super::polyhedron::Face, &usize)| {
-            let normal = planes[*plane].normal;
+        let turned = |(face, plane): (&Face, &usize)| {
+            let normal = planes[*plane].normal();
             if normal.dot(face.normal) < 0.0 { -normal } else { normal }
         };
         piece.placed(vertices, piece.faces().iter().zip(on).map(turned))
@@ -66,31 +55,30 @@ pub(super) fn aligned(hull: &Polyhedron, pieces: &[Polyhedron], flatness: f64) -
 
 /// The faces of a piece that a place is on: it may be none of its corners, but within an edge.
 fn faces_at(piece: &Polyhedron, place: Vec3, near: f64) -> impl Iterator<Item = usize> {
-    let height = |face: &super::polyhedron::Face| face.normal.dot(place - piece.vertices()[face.corners[0]]);
-    let heights: Vec<f64> = piece.faces().iter().map(height).collect();
+    let heights: Vec<f64> = piece.faces().iter().map(|face| piece.height(face, place)).collect();
     let has = heights.iter().all(|height| *height <= near);
     (0..heights.len()).filter(move |face| has && heights[*face] >= -near)
 }
 
 /// The planes of all faces, those first that count most, and of each piece on which of them each face lies.
-fn planes(pieces: &[Polyhedron], near: f64) -> (Vec<Common>, Vec<Vec<usize>>) {
+fn planes(pieces: &[Polyhedron], near: f64) -> (Vec<Plane>, Vec<Vec<usize>>) {
     let mut all: Vec<(usize, usize, f64)> = vec![];
     for (k, piece) in pieces.iter().enumerate() {
         all.extend((0..piece.faces().len()).map(|face| (k, face, piece.area(face))));
     }
     // On faces of the hull, the first piece, the body lies; of others the plane of the largest one is known best.
     all.sort_by(|a, b| (a.0 > 0).cmp(&(b.0 > 0)).then(b.2.total_cmp(&a.2)));
-    let mut planes: Vec<Common> = vec![];
+    let mut planes: Vec<Plane> = vec![];
     let mut on: Vec<Vec<usize>> = pieces.iter().map(|piece| vec![0; piece.faces().len()]).collect();
     for (k, face, _) in all {
         let (piece, own) = (&pieces[k], &pieces[k].faces()[face]);
         let places: Vec<Vec3> = own.corners.iter().map(|i| piece.vertices()[*i]).collect();
-        let found = planes.iter().position(|plane| places.iter().all(|r| plane.off(*r).abs() <= near));
+        let found = planes.iter().position(|plane| places.iter().all(|r| plane.height(*r).abs() <= near));
         on[k][face] = found.unwrap_or_else(|| {
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
             let count = places.len() as f64;
             let offset = places.iter().map(|r| own.normal.dot(*r)).sum::<f64>() / count;
-            planes.push(Common { normal: own.normal, offset });
+            planes.push(Plane::of_unit(own.normal, offset));
             planes.len() - 1
         });
     }

@@ -230,11 +230,8 @@ fn joined(mut pieces: Vec<Polyhedron>, flatness: f64) -> Vec<Polyhedron> {
 /// Two pieces have one face, each on its side of it: what is convex together does, if neither reaches into the other.
 fn share_a_face(a: &Polyhedron, b: &Polyhedron, flatness: f64) -> bool {
     let near = INSIDE * flatness;
-    let is_on = |piece: &Polyhedron, face: &Face, r: Vec3| {
-        face.normal.dot(r - piece.vertices()[face.corners[0]]).abs() <= near
-    };
     let all_on = |piece: &Polyhedron, face: &Face, other: &Polyhedron, of: &Face| {
-        of.corners.iter().all(|corner| is_on(piece, face, other.vertices()[*corner]))
+        of.corners.iter().all(|corner| piece.height(face, other.vertices()[*corner]).abs() <= near)
     };
     let is_one = |own: &Face, other: &Face| {
         own.normal.dot(other.normal) < 0.0 && (all_on(a, own, b, other) || all_on(b, other, a, own))

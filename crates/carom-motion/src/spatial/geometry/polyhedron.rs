@@ -165,6 +165,11 @@ impl Polyhedron {
         Self { vertices, faces, ..self.clone() }
     }
 
+    /// How far a place is outside of one of its faces \[m\].
+    pub(super) fn height(&self, face: &Face, place: Vec3) -> f64 {
+        face.normal.dot(place - self.vertices[face.corners[0]])
+    }
+
     /// The area of a face [m²].
     pub(super) fn area(&self, face: usize) -> f64 {
         0.5 * newell(&places(&self.vertices, &self.faces[face].corners)).norm()
